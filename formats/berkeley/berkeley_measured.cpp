@@ -6,6 +6,7 @@
 
 #include <string_view>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/text/split.hpp"
 #include "formats/text/tokens.hpp"
 
@@ -56,9 +57,8 @@ class MeasuredReader {
     track.point = next_number(open) - 1;
     const std::size_t close = text_.find(']', open);
     if (close == std::string_view::npos)
-      warnings.push_back(
-          {"track_cut", map_->place(text_.size()),
-           fmt::format("the rows of measured point {} are not closed by ]; the whole ones are read", track.point + 1)});
+      warnings.push_back(warning_of({"track_cut", {{{"measured_point", track.point + 1}}, {{"close", "]"}}}},
+                                    map_->place(text_.size())));
     track.rows = rows_between(open + 1, std::min(close, text_.size()), close == std::string_view::npos);
     at_ = close == std::string_view::npos ? text_.size() : close + 1;
     if (at_ < text_.size() && text_[at_] == ';') ++at_;

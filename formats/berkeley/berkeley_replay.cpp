@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/text/split.hpp"
 #include "formats/text/tokens.hpp"
 #include "geometry/polygon.hpp"
@@ -84,8 +85,7 @@ class ReplayReader {
     Reading reading;
     if (frames <= head_.saved)
       reading.warnings.push_back(
-          {"frames_missing", cursor_.place(),
-           fmt::format("{} frames are announced, the file holds {} whole ones", head_.saved + 1, frames)});
+          warning_of({"frames_missing", {{{"announced", head_.saved + 1}, {"frames", frames}}}}, cursor_.place()));
     else
       reading.warnings = cursor_.remainder();
     reading.content.frames = std::move(frames_);

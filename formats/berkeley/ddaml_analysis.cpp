@@ -10,9 +10,11 @@
 #include <cmath>
 #include <set>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/berkeley/ddaml_ignored.hpp"
 #include "formats/text/decimal_comma.hpp"
 #include "formats/text/demands.hpp"
+#include "formats/text/numbers.hpp"
 #include "formats/text/tokens.hpp"
 #include "problem/limits.hpp"
 
@@ -44,14 +46,19 @@ constexpr std::array<std::string_view, 4> kManyTimes{"Blockmaterial", "Jointprop
                                                      "Loadpointlist"};
 constexpr std::array<std::string_view, 2> kPassedOver{"Mintimestep", "Writevertices"};
 
+Warning absent(const Default& choice, const Element& parent) {
+  Facts facts{{}, {{"value", std::string(choice.value)}}};
+  if (const auto number = parse_real(choice.value)) facts.numbers = {{"taken", *number}};
+  facts.names = {{"element_name", std::string(choice.element)}};
+  return warning_of({"default_" + lower_case(choice.element), std::move(facts)}, parent.place());
+}
+
 /// Reads values of elements and attributes, and collects warnings.
 class ElementValues {
  public:
   Warnings take_warnings() { return std::move(warnings_); }
 
-  void warn(std::string name, Place place, std::string sentence) {
-    add_warning(warnings_, {std::move(name), std::move(place), std::move(sentence)});
-  }
+  void warn(Warning warning) { add_warning(warnings_, std::move(warning)); }
 
   void pass_over(const Element& element) { add_warning(warnings_, ignored(element)); }
 
@@ -59,9 +66,11 @@ class ElementValues {
   void warn_of_repeated(const Element& element, std::string_view taken) {
     std::set<std::string_view> names;
     for (const Element& child : element.children())
-      if (!names.insert(child.name()).second)
-        warn("repeated_element", child.place(),
-             fmt::format("{} of {} is repeated; the {} counts", child.name(), element.name(), taken));
+      if (!names.insert(child.name()).second) {
+        Facts facts{{}, {{"taken", std::string(taken)}}};
+        facts.names = {{"element_name", std::string(child.name())}, {"parent", std::string(element.name())}};
+        warn(warning_of({"repeated_element:of_parent", std::move(facts)}, child.place()));
+      }
   }
 
   double attribute_real(const Element& element, std::string_view attribute, const Demand& demand) {
@@ -92,10 +101,13 @@ class ElementValues {
     const auto found = element.attribute(attribute);
     const auto word = std::ranges::find(words, found ? lower_case(found->value) : std::string());
     if (word != words.end()) return static_cast<std::size_t>(word - words.begin());
-    warn(
-        "unknown_choice", found ? found->place : element.place(),
-        fmt::format("{} of {}: expected {}, found {}; taken as {}", attribute, element.name(), fmt::join(words, " or "),
-                    found ? fmt::format("\"{}\"", found->value.substr(0, 40)) : "none", words.front()));
+    Facts facts{{},
+                {{"expected", fmt::format("{}", fmt::join(words, " or "))},
+                 {"found", found ? fmt::format("\"{}\"", found->value.substr(0, 40)) : "none"}}};
+    facts.names = {{"element_name", std::string(element.name())},
+                   {"attribute", std::string(attribute)},
+                   {"taken", std::string(words.front())}};
+    warn(warning_of({"unknown_choice", std::move(facts)}, found ? found->place : element.place()));
     return 0;
   }
 
@@ -137,7 +149,7 @@ class ElementValues {
 
   double damping_of(const Element& element) {
     if (child_of(element, "Damping")) return child_real(element, "Damping", kNotNegative);
-    warn("default_damping", element.place(), "Damping is absent; taken as 0");
+    warn(absent({"Damping", "0"}, element));
     return 0;
   }
 
@@ -185,8 +197,7 @@ class AnalysisReader {
       values_.pass_over(child);
       return;
     }
-    if (!seen_.insert(std::string(child.name())).second && !stands_often(child.name()))
-      values_.warn("repeated_element", child.place(), fmt::format("{} is repeated; the last counts", child.name()));
+    if (!seen_.insert(std::string(child.name())).second && !stands_often(child.name())) values_.warn(repeated(child));
     (this->*handler->read)(child);
   }
 
@@ -204,9 +215,7 @@ class AnalysisReader {
 
   void warn_of_defaults(const Element& analysis) {
     for (const Default& choice : kDefaults)
-      if (!seen_.contains(std::string(choice.element)))
-        values_.warn("default_" + lower_case(choice.element), analysis.place(),
-                     fmt::format("{} is absent; taken as {}", choice.element, choice.value));
+      if (!seen_.contains(std::string(choice.element))) values_.warn(absent(choice, analysis));
   }
 
   void read_type(const Element& element) {
@@ -220,7 +229,7 @@ class AnalysisReader {
 
   void read_gravity(const Element& element) {
     if (values_.flag_of(element))
-      values_.warn("gravity_phase_ignored", element.place(), "the gravity phase before the analysis is not run");
+      values_.warn({"gravity_phase_ignored", element.place(), "the gravity phase before the analysis is not run"});
   }
 
   void read_acceleration(const Element& element) {
@@ -235,7 +244,7 @@ class AnalysisReader {
     if (element.attribute("pfactor"))
       analysis_.penalty_factor = values_.attribute_real(element, "pfactor", kPositive);
     else
-      values_.warn("default_pfactor", element.place(), "Autopenalty has no pfactor; taken as 50");
+      values_.warn(warning_of({"default_pfactor", {{{"pfactor", analysis_.penalty_factor}}}}, element.place()));
   }
 
   void pass_over(const Element&) {}  // Planestrain: read before the other elements

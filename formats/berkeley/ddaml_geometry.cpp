@@ -44,8 +44,7 @@ class GeometryReader {
     Cursor cursor(tokens, "nothing");
     result_.drawing.edge_node_ratio = cursor.next_real("the edge-node ratio", kEdgeNodeRatio);
     keep_remainder(tokens, cursor);
-    if (edge_node_seen_)
-      add_warning(result_.warnings, {"repeated_element", element.place(), "Edgenodedist is repeated; the last counts"});
+    if (edge_node_seen_) add_warning(result_.warnings, repeated(element));
     edge_node_seen_ = true;
   }
 

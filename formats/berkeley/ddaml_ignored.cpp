@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/ddaml_ignored.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
+
+#include "base/sentences/sentences.hpp"
 
 namespace keyblock::formats {
 
@@ -18,7 +18,15 @@ Warning ignored(const Element& element) {
   std::string name = "unknown_element";
   for (const auto& [element_name, warning_name] : kNames)
     if (element.name() == element_name) name = warning_name;
-  return {name, element.place(), fmt::format("{} is ignored", element.name())};
+  Facts facts;
+  facts.names = {{"element_name", std::string(element.name())}};
+  return warning_of({name, std::move(facts)}, element.place());
+}
+
+Warning repeated(const Element& element) {
+  Facts facts;
+  facts.names = {{"element_name", std::string(element.name())}};
+  return warning_of({"repeated_element", std::move(facts)}, element.place());
 }
 
 }  // namespace keyblock::formats

@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/case_file/case_fields.hpp"
 #include "formats/case_file/case_reading.hpp"
 #include "formats/case_file/case_sample.hpp"
@@ -301,8 +302,7 @@ void check(const OutputPlan& outputs) {
 Warnings take_default_ratio(Drawing& drawing, const JsonValue& from) {
   if (from.member("edge_node_ratio")) return {};
   drawing.edge_node_ratio = kDefaultEdgeNodeRatio;
-  return {{"default_edge_node_ratio", from.place(),
-           fmt::format("no edge_node_ratio is given, {} is taken", kDefaultEdgeNodeRatio)}};
+  return {warning_of({"default_edge_node_ratio", {{{"edge_node_ratio", kDefaultEdgeNodeRatio}}}}, from.place())};
 }
 
 // Warns of weightless rock, which is seldom intended.
@@ -312,8 +312,7 @@ Warnings weightless_materials(const Analysis& analysis, const JsonValue& from) {
   if (analysis.gravity || !materials) return warnings;
   for (const JsonValue material : *materials)
     if (!material.member("unit_weight"))
-      add_warning(warnings, {"default_unit_weight", material.place(),
-                             "no unit_weight is given, 0 is taken: blocks of this material are weightless"});
+      add_warning(warnings, warning_of({"default_unit_weight", {{{"unit_weight", 0}}}}, material.place()));
   return warnings;
 }
 
@@ -321,21 +320,26 @@ Warnings weightless_materials(const Analysis& analysis, const JsonValue& from) {
 Warnings take_defaults_of_today(Content& content, const JsonValue& from) {
   Analysis& analysis = *content.analysis;
   std::vector<std::string> taken;
-  const auto tell = [&](const char* key, const char* value) {
-    if (!from.member(key)) taken.push_back(fmt::format("{} {}", key, value));
+  Facts facts;
+  const auto tell = [&](const char* key, double number, const char* value) {
+    if (from.member(key)) return;
+    facts.numbers.emplace_back(key, number);
+    taken.push_back(fmt::format("{} {}", key, value));
   };
-  tell("velocity_carry_over", "1 (motion in time)");
-  tell("plane_strain", "true");
-  tell("allowed_displacement_ratio", "0.01");
+  tell("velocity_carry_over", 1, "1 (motion in time)");
+  tell("plane_strain", 1, "true");
+  tell("allowed_displacement_ratio", 0.01, "0.01");
   const bool has_weight =
       std::ranges::any_of(analysis.block_materials, [](const BlockMaterial& m) { return m.unit_weight != 0; });
   if (!analysis.gravity && !has_weight) {
     const std::optional<double> factor = si_factor(content.units.value_or(Units{}), kAcceleration);
     analysis.gravity = kGravityOfToday / factor.value_or(1);
+    facts.numbers.emplace_back("gravity", *analysis.gravity);
     taken.push_back(fmt::format("gravity {:.6g}{}", *analysis.gravity, factor ? "" : " (no units are declared)"));
   }
   if (taken.empty()) return {};
-  return {{"defaults_taken", from.place(), fmt::format("defaults taken: {}", fmt::join(taken, ", "))}};
+  facts.texts = {{"taken", fmt::format("{}", fmt::join(taken, ", "))}};
+  return {warning_of({"defaults_taken", std::move(facts)}, from.place())};
 }
 
 // Units come first: values are converted into them before fields are read.
@@ -358,13 +362,13 @@ Warnings doubtful_strengths(const Analysis& analysis) {
   Warnings warnings;
   for (const BlockMaterial& material : analysis.block_materials) {
     if (material.strength)
-      for (const StrengthDoubt& doubt : doubts_of(*material.strength))
-        add_warning(warnings, {doubt.code, material.place, doubt.sentence});
-    if (material.crack_closure && material.crack_closure->closure_strain > kLargeClosure)
-      add_warning(warnings, {"implausible_closure_strain", material.place,
-                             fmt::format("closure_strain {:.4g} is above {}: cracks of rock close at a hundredth or "
-                                         "less; is it in per cent?",
-                                         material.crack_closure->closure_strain, kLargeClosure)});
+      for (const Finding& doubt : doubts_of(*material.strength))
+        add_warning(warnings, warning_of(doubt, material.place));
+    const double closure = material.crack_closure ? material.crack_closure->closure_strain : 0;
+    if (closure > kLargeClosure)
+      add_warning(warnings,
+                  warning_of({"implausible_closure_strain", {{{"closure_strain", closure}, {"most", kLargeClosure}}}},
+                             material.place));
   }
   return warnings;
 }

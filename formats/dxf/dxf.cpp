@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/dxf/dxf_clip.hpp"
 #include "formats/dxf/dxf_drawing.hpp"
 #include "formats/dxf/dxf_entities.hpp"
@@ -38,8 +39,8 @@ double edge_node_ratio(const DxfDocument& document, const Place& file, Warnings&
                                    kDxfRatioComment, in_quotes(text)));
     return *ratio;
   }
-  warnings.push_back({"default_edge_node_ratio", file,
-                      fmt::format("a DXF file has no edge-node ratio; taken as {}", kDxfEdgeNodeRatio)});
+  const Facts facts{{{"edge_node_ratio", kDxfEdgeNodeRatio}}};
+  warnings.push_back(warning_of({"default_edge_node_ratio:of_dxf", facts}, file));
   return kDxfEdgeNodeRatio;
 }
 
@@ -61,12 +62,11 @@ Reading read(const Source& source, const ReadHint& hint) {
   if (entities == nullptr) throw InputError({source.name}, "expected a section ENTITIES, found none");
   const DxfUnit unit = unit_of(document, hint.length, hint.drawing.unit);
   Warnings warnings = joined(document.warnings(), unit.warnings);
-  if (unit.length.empty() && unit.warnings.empty() && !hint.length.empty())
-    warnings.push_back(
-        {"dxf_without_unit",
-         {source.name},
-         fmt::format("the drawing names no unit ($INSUNITS): its coordinates are taken as in {}, the unit of the case",
-                     hint.length)});
+  if (unit.length.empty() && unit.warnings.empty() && !hint.length.empty()) {
+    Facts facts;
+    facts.names = {{"unit", hint.length}};
+    warnings.push_back(warning_of({"dxf_without_unit", std::move(facts)}, {source.name}));
+  }
   const double ratio = edge_node_ratio(document, {source.name}, warnings);
   DxfDefinitions definitions(document, find_section(document, "BLOCKS"));
   DxfShapes shapes = read_entities(document, entities->records, definitions, DxfVisibility(document, hint.layers));

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/sentences/sentences.hpp"
 #include "base/words/plain_number.hpp"
 #include "geometry/polygon.hpp"
 #include "problem/joints/joint_drawing.hpp"
@@ -22,10 +23,6 @@ constexpr double kUncut = 1e-9;
 // Larger products of joints and boundary lines, about a second of work, are not tried.
 constexpr double kMostPairs = 2e8;
 
-std::string at(Point p) {
-  return fmt::format("({}, {})", plain(p.x, 6), plain(p.y, 6));
-}
-
 // Fraction of the longest boundary line: a wider gap is a missing side. Joining would make another shape.
 constexpr double kJoinable = 0.1;
 
@@ -37,21 +34,24 @@ double longest_side(const Drawing& drawing) {
 }
 
 Warnings not_clipped(const Drawing& drawing, const OutlineFault& fault) {
-  const double gap = fault.nearest ? distance(fault.at, *fault.nearest) : 0;
-  std::string why;
-  if (fault.pieces > 1)
-    why = fmt::format("{} boundary lines meet at {}, 2 are expected", fault.pieces, at(fault.at));
-  else if (fault.nearest)
-    why = fmt::format("the outline is open at {}: the nearest other end is {} away, at {}", at(fault.at), plain(gap, 3),
-                      at(*fault.nearest));
-  else
-    why = fmt::format("the outline is open at {}", at(fault.at));
-  return {
-      {"dxf_not_clipped", drawing.joints[fault.line].place,
-       why + "; joints are not cut off at the boundary" +
-           (!fault.nearest || fault.pieces != 1       ? ""
-            : gap > kJoinable * longest_side(drawing) ? "; draw the side that is missing"
-                                                      : fmt::format("; --join {} closes it", plain(1.1 * gap, 2)))}};
+  const Place& place = drawing.joints[fault.line].place;
+  Facts facts;
+  facts.points = {{fault.at.x, fault.at.y}};
+  if (fault.pieces > 1) {
+    facts.numbers = {{"lines", fault.pieces}};
+    return {warning_of({"dxf_not_clipped:branched", std::move(facts)}, place)};
+  }
+  facts.texts = {{"remedy", ""}};
+  if (fault.nearest) {
+    const double gap = distance(fault.at, *fault.nearest);
+    facts.numbers = {{"gap", gap}};
+    facts.points.push_back({fault.nearest->x, fault.nearest->y});
+    if (fault.pieces == 1)
+      facts.texts = {{"remedy", gap > kJoinable * longest_side(drawing)
+                                    ? "; draw the side that is missing"
+                                    : fmt::format("; --join {} closes it", plain(1.1 * gap, 2))}};
+  }
+  return {warning_of({"dxf_not_clipped", std::move(facts)}, place)};
 }
 
 bool lies_in(const Outline& inner, const Outline& outer) {
@@ -89,11 +89,9 @@ Warnings clip_joints(Drawing& drawing) {
   if (drawing.boundary_count == 0 || drawing.joints.size() == drawing.boundary_count) return {};
   const double pairs = double(drawing.boundary_count) * double(drawing.joints.size() - drawing.boundary_count);
   const Place first = drawing.joints.front().place;
-  if (pairs > kMostPairs)
-    return {{"dxf_not_clipped", first, "too many boundary lines and joints to cut joints off at the boundary"}};
+  if (pairs > kMostPairs) return {warning_of({"dxf_not_clipped:too_many"}, first)};
   const OutlineGraph outline(std::span(drawing.joints).first(drawing.boundary_count));
-  if (outline.is_tangled())
-    return {{"dxf_not_clipped", first, "too many boundary lines lie along one another to cut joints off at them"}};
+  if (outline.is_tangled()) return {warning_of({"dxf_not_clipped:tangled"}, first)};
   if (const auto fault = outline.fault()) return not_clipped(drawing, *fault);
   const std::vector<std::vector<Outline>> regions = regions_of(outline.loops(), drawing);
   std::size_t cut = 0;
@@ -114,10 +112,7 @@ Warnings clip_joints(Drawing& drawing) {
   }
   if (cut + gone == 0) return {};
   drawing.joints = std::move(kept);
-  return {{"dxf_clipped", first,
-           fmt::format("the boundary cuts off joints that run beyond it: {} are shorter now or in pieces, {} lay "
-                       "outside or along it and are gone",
-                       cut, gone)}};
+  return {warning_of({"dxf_clipped", {{{"shortened", cut}, {"removed", gone}}}}, first)};
 }
 
 }  // namespace keyblock::formats

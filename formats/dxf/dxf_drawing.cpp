@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/dxf/curves/dxf_curves.hpp"
 #include "formats/dxf/curves/dxf_spline.hpp"
 #include "formats/dxf/dxf_layer_table.hpp"
@@ -56,13 +57,10 @@ class ChordCount {
   /// Returns at most one warning.
   Warnings warnings() const {
     if (curves_ == 0) return {};
-    const std::string of_others =
-        has_others_
-            ? fmt::format(" (of an ellipse: its greater half axis), or {} of the size of a spline", kSplineRatio)
-            : "";
-    return {{"dxf_curves_as_chords", first_,
-             fmt::format("{} {} are {} chords; none leaves its curve by more than {} of the radius{}", curves_,
-                         has_others_ ? "curves" : "arcs, circles and bulges", chords_, kSagittaRatio, of_others)}};
+    Facts facts{{{"curves", curves_}, {"chords", chords_}, {"share_of_radius", kSagittaRatio}},
+                {{"kinds", has_others_ ? "curves" : "arcs, circles and bulges"}}};
+    if (has_others_) facts.numbers.emplace_back("share_of_spline", kSplineRatio);
+    return {warning_of({"dxf_curves_as_chords", std::move(facts)}, first_)};
   }
 
  private:
@@ -151,23 +149,28 @@ class DrawingMaker {
     for (const UnknownLayer& layer : unknown) {
       while (taken.contains(index)) ++index;
       layers_[layer.name] = {DxfRole::joint, index, false};
-      result_.warnings.push_back(
-          {"dxf_layer_as_joints", layer.first,
-           fmt::format("layer {} names no part of a drawing; its lines and curves, {} in "
-                       "number, are joints of joint material {}{}",
-                       in_quotes(layer.name), layer.entities, index + 1, hint_for_layer(layer.name))});
+      Facts facts{{{"count", layer.entities}, {"joint_material", index + 1}},
+                  {{"quoted", in_quotes(layer.name)}, {"hint", hint_for_layer(layer.name)}}};
+      facts.names = {{"layer", std::string(layer.name)}};
+      result_.warnings.push_back(warning_of({"dxf_layer_as_joints", std::move(facts)}, layer.first));
       ++index;
     }
   }
 
   void warn_of_unused_rows() {
     for (const std::string_view layer : shapes_.unread_layers) parts_.named(layer);
-    std::vector<std::string> names;
-    for (const std::size_t row : parts_.unused()) names.push_back(in_quotes(table_.rows[row].first));
-    if (names.empty()) return;
+    std::vector<std::string> quoted;
+    Facts facts;
+    for (const std::size_t row : parts_.unused()) {
+      quoted.push_back(in_quotes(table_.rows[row].first));
+      facts.names.emplace_back("layer", table_.rows[row].first);
+    }
+    if (quoted.empty()) return;
+    facts.numbers = {{"count", quoted.size()}};
+    facts.texts = {{"layers", fmt::format("{}", fmt::join(quoted, ", "))}};
     const std::size_t first = parts_.unused().front();
-    result_.warnings.push_back({"dxf_layer_not_there", first < table_.places.size() ? table_.places[first] : Place{},
-                                fmt::format("on {} of the table nothing lies in the drawing", fmt::join(names, ", "))});
+    result_.warnings.push_back(warning_of({"dxf_layer_not_there", std::move(facts)},
+                                          first < table_.places.size() ? table_.places[first] : Place{}));
   }
 
   /// Detects the convention of the old Windows program by its marks on layers without a known name.
@@ -176,12 +179,8 @@ class DrawingMaker {
     const auto first = std::ranges::find_if(shapes_.shapes, is_mark);
     has_marks_ = first != shapes_.shapes.end();
     if (!has_marks_) return;
-    result_.warnings.push_back(
-        {"dxf_old_marks", first->place,
-         fmt::format("{} texts F, L, M, H on layers that name no part of a drawing: read as the old Windows program "
-                     "did, as fixed, loading, measured and hole points; there the joint material of a line is its "
-                     "colour + 1",
-                     std::ranges::count_if(shapes_.shapes, is_mark))});
+    const Facts facts{{{"count", std::ranges::count_if(shapes_.shapes, is_mark)}}};
+    result_.warnings.push_back(warning_of({"dxf_old_marks", facts}, first->place));
   }
 
   void add_by_old_marks(const DxfShape& shape) {

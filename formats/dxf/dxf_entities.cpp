@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/dxf/curves/dxf_curves.hpp"
 #include "formats/dxf/entities/curve_entities.hpp"
 #include "formats/dxf/entities/insertion.hpp"
@@ -139,9 +140,8 @@ class EntityReader {
     if (const DxfGroup* count = record.find(90)) {
       const int said = document_.integer(*count, "the number of vertices", record.head.value);
       if (said < 0 || static_cast<std::size_t>(said) != corners.size())
-        result_.warnings.push_back(
-            {"dxf_vertex_count", document_.place(*count),
-             fmt::format("group 90 states {} vertices, the LWPOLYLINE has {}; these are read", said, corners.size())});
+        result_.warnings.push_back(warning_of({"dxf_vertex_count", {{{"stated", said}, {"vertices", corners.size()}}}},
+                                              document_.place(*count)));
     }
     DxfShape shape = of_.shape_of(record, {}, {38});
     shape.is_closed = (of_.flags(record) & kClosed) != 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_skipped.hpp"
 
-#include <fmt/format.h>
+#include "base/sentences/sentences.hpp"
 
 namespace keyblock::formats {
 
@@ -26,8 +26,11 @@ void DxfSkipped::add(std::string_view kind, const Place& place, std::size_t coun
 
 Warnings DxfSkipped::warnings() const {
   Warnings all;
-  for (const Kind& kind : kinds_)
-    all.push_back({"dxf_skipped", kind.first, fmt::format("skipped: {} × {}", kind.count, kind.name)});
+  for (const Kind& kind : kinds_) {
+    Facts facts{{{"count", kind.count}}};
+    facts.names = {{"entity", kind.name}};
+    all.push_back(warning_of({"dxf_skipped", std::move(facts)}, kind.first));
+  }
   return all;
 }
 

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_units.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/text/numbers.hpp"
 
 namespace keyblock::formats {
@@ -63,26 +62,25 @@ DxfUnit unit_of(const DxfDocument& document, std::string_view wanted, std::strin
   const int number = overruling.empty() ? own : dxf_unit_number(overruling);
   if (number == 0) return {};
   if (number < 0 || number >= static_cast<int>(kUnits.size()))
-    return {1,
-            "",
-            {{"dxf_unit_unknown", place,
-              fmt::format("$INSUNITS {} is no unit known here; coordinates are taken as they are", number)}}};
+    return {1, "", {warning_of({"dxf_unit_unknown", {{{"insunits", number}}}}, place)}};
   Warnings warnings;
   const bool is_known = own > 0 && own < static_cast<int>(kUnits.size());
-  if (is_known && own != number)
-    warnings.push_back(
-        {"dxf_unit_overruled", place,
-         fmt::format("the unit of the file is {} ($INSUNITS {}); --unit overrules it: {}",
-                     kUnits[static_cast<std::size_t>(own)].name, own, kUnits[static_cast<std::size_t>(number)].name)});
+  if (is_known && own != number) {
+    Facts facts{{{"insunits", own}}};
+    facts.names = {{"unit", std::string(kUnits[static_cast<std::size_t>(own)].name)},
+                   {"taken", std::string(kUnits[static_cast<std::size_t>(number)].name)}};
+    warnings.push_back(warning_of({"dxf_unit_overruled", std::move(facts)}, place));
+  }
   const Unit& unit = kUnits[static_cast<std::size_t>(number)];
   const int target_number = dxf_unit_number(wanted);
   const Unit& target = kUnits[static_cast<std::size_t>(target_number > 0 ? target_number : kMetre)];
   if (unit.metres == target.metres) return {1, std::string(target.length), std::move(warnings)};
   const double factor = unit.metres / target.metres;
-  warnings.push_back(
-      {target.length == "m" ? "dxf_scaled_to_metres" : "dxf_scaled_to_declared_unit", place,
-       fmt::format("the unit of the {} is the {}; coordinates are multiplied by {} to the {}",
-                   overruling.empty() ? "file" : "drawing", unit.name, format_real(factor), target.name)});
+  Facts facts{{{"factor", factor}},
+              {{"source", overruling.empty() ? "file" : "drawing"}, {"written", format_real(factor)}}};
+  facts.names = {{"unit", std::string(unit.name)}, {"unit_taken", std::string(target.name)}};
+  const char* const form = target.length == "m" ? "dxf_scaled_to_metres" : "dxf_scaled_to_declared_unit";
+  warnings.push_back(warning_of({form, std::move(facts)}, place));
   return {factor, std::string(target.length), std::move(warnings)};
 }
 

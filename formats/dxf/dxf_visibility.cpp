@@ -9,7 +9,7 @@
 #include <cctype>
 #include <vector>
 
-#include "base/counted.hpp"
+#include "base/sentences/sentences.hpp"
 #include "formats/text/tokens.hpp"
 
 namespace keyblock::formats {
@@ -69,15 +69,17 @@ void DxfHidden::add_all(const DxfHidden& other) {
 
 Warnings DxfHidden::warnings() const {
   if (count == 0) return {};
-  std::vector<std::string> names;
-  for (const std::string& layer : layers)
-    if (names.size() < kMostHiddenListed) names.push_back(in_quotes(layer));
-  const std::size_t more = layers.size() - names.size();
-  return {{"dxf_hidden_layers", first,
-           fmt::format("{} on layers that are frozen or off {} left out: {}{}; a row of --layers for such a layer "
-                       "takes it",
-                       count == 1 ? "1 entity" : fmt::format("{} entities", count), count == 1 ? "is" : "are",
-                       fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "")}};
+  std::vector<std::string> quoted;
+  Facts facts{{{"count", count}}};
+  for (const std::string& layer : layers) {
+    facts.names.emplace_back("layer", layer);
+    if (quoted.size() < kMostHiddenListed) quoted.push_back(in_quotes(layer));
+  }
+  if (layers.size() > quoted.size()) facts.numbers.emplace_back("more", layers.size() - quoted.size());
+  facts.texts = {{"entities", count == 1 ? "1 entity" : fmt::format("{} entities", count)},
+                 {"are", count == 1 ? "is" : "are"},
+                 {"layers", fmt::format("{}", fmt::join(quoted, ", "))}};
+  return {warning_of({"dxf_hidden_layers", std::move(facts)}, first)};
 }
 
 }  // namespace keyblock::formats

@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/shi/edge_convention.hpp"
 #include "formats/text/numbers.hpp"
 #include "formats/text/split.hpp"
@@ -166,9 +167,11 @@ std::vector<BlockPoint> next_points(Cursor& cursor, std::string_view noun, int c
 Warnings outside_warnings(const std::vector<BlockPoint>& points, std::string_view noun) {
   Warnings warnings;
   for (const BlockPoint& point : points)
-    if (point.block < 0)
-      add_warning(warnings, {"point_outside_blocks", point.place,
-                             fmt::format("{} in block 0, that is in none, is left out", noun)});
+    if (point.block < 0) {
+      Facts facts{{}, {{"noun", std::string(noun)}}};
+      facts.points = {{point.position.x, point.position.y}};
+      add_warning(warnings, warning_of({"point_outside_blocks:in_block_0", std::move(facts)}, point.place));
+    }
   return warnings;
 }
 
@@ -187,10 +190,11 @@ Warnings fraction_warnings(const Tokens& tokens, const Head& head) {
     const auto last = static_cast<std::int64_t>(tokens.numbers[at + 2]) - 1;
     for (std::int64_t slot = first; slot <= last; ++slot) {
       const auto material = static_cast<std::size_t>(6 + 3 * head.blocks + 3 * slot);
-      if (is_whole(tokens.numbers[material])) continue;
-      add_warning(warnings, {"joint_material_not_whole", tokens.place_of(material),
-                             fmt::format("joint material {} is not a whole number; taken as 0 (no material)",
-                                         format_real(tokens.numbers[material]))});
+      const double number = tokens.numbers[material];
+      if (is_whole(number)) continue;
+      const Facts facts{
+          {{"joint_material", number}}, {{"written", format_real(number)}}, {static_cast<int>(block) + 1}};
+      add_warning(warnings, warning_of({"joint_material_not_whole", facts}, tokens.place_of(material)));
     }
   }
   return warnings;
@@ -216,9 +220,11 @@ std::vector<BlockPolygon> polygons(const std::vector<Range>& ranges, const std::
 Warnings bolt_warnings(const std::vector<BlockBolt>& bolts) {
   Warnings warnings;
   for (const BlockBolt& bolt : bolts)
-    if (bolt.first_block < 0 || bolt.second_block < 0)
-      add_warning(warnings,
-                  {"bolt_outside_blocks", bolt.place, "a bolt with an end in block 0, that is in none, is left out"});
+    if (bolt.first_block < 0 || bolt.second_block < 0) {
+      const auto& [start, end] = bolt.segment;
+      const Facts facts{{}, {}, {}, {{start.x, start.y}, {end.x, end.y}}};
+      add_warning(warnings, warning_of({"bolt_outside_blocks", facts}, bolt.place));
+    }
   return warnings;
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/text/demands.hpp"
 #include "formats/text/numbers.hpp"
 #include "formats/text/split.hpp"
@@ -225,14 +226,11 @@ Warnings layout_warnings(const Layout& layout, const Counts& counts, const Place
   Warnings warnings;
   if (layout.head == 8)
     warnings.push_back({"hole_count_missing", place, "the head holds no number of hole points; taken as 0"});
-  if (layout.bolt == 0)
-    warnings.push_back({"bolts_without_data", place,
-                        fmt::format("{} bolts are announced but the file holds none; there are none", counts.bolts)});
+  if (layout.bolt == 0) warnings.push_back(warning_of({"bolts_without_data", {{{"bolts", counts.bolts}}}}, place));
   if (layout.bolt == 4)
-    warnings.push_back(
-        {"bolts_without_properties", place, "bolts have 4 numbers: stiffness, strength and pre-tension taken as 0"});
+    warnings.push_back(warning_of({"bolts_without_properties:in_file", {{{"bolts", counts.bolts}}}}, place));
   if (layout.bolt == 9)
-    warnings.push_back({"bolts_with_block_numbers", place, "bolts have 9 numbers: their block numbers are ignored"});
+    warnings.push_back(warning_of({"bolts_with_block_numbers", {{{"bolts", counts.bolts}}}}, place));
   if (layout.fixed == 2)
     warnings.push_back({"fixed_points_of_two_numbers", place, "fixed records have 2 numbers: taken as points"});
   return warnings;
@@ -272,9 +270,7 @@ Reading read_tokens(const Tokens& tokens, const ReadHint&) {
   drawing.measured_points = next_present("measured point", counts.measured);
   drawing.hole_points = next_present("hole point", counts.holes);
   Warnings warnings = layout_warnings(layout, counts, start);
-  if (missing > 0)
-    warnings.push_back({"points_missing", cursor.place(),
-                        fmt::format("the file ends {} points early; they are taken as not there", missing)});
+  if (missing > 0) warnings.push_back(warning_of({"points_missing", {{{"points", missing}}}}, cursor.place()));
   return {{std::move(drawing), {}, {}}, joined(std::move(warnings), cursor.remainder())};
 }
 

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "base/large_pages.hpp"
+#include "base/sentences/sentences.hpp"
 #include "formats/text/numbers.hpp"
 #include "formats/text/split.hpp"
 #include "formats/text/tokens.hpp"
@@ -158,11 +159,12 @@ class CoverReader {
       point.position.x = cursor_.next_real("x");
       point.position.y = cursor_.next_real("y");
       point.element = cursor_.next_integer_between(least_element, head_.elements, "the element") - 1;
-      if (point.element >= 0)
+      if (point.element >= 0) {
         points.push_back(point);
-      else
-        add_warning(warnings_, {"point_outside_elements", point.place,
-                                fmt::format("a {} in element 0, that is in none, is left out", noun)});
+        continue;
+      }
+      const Facts facts{{}, {{"noun", std::string(noun)}}, {}, {{point.position.x, point.position.y}}};
+      add_warning(warnings_, warning_of({"point_outside_elements", facts}, point.place));
     }
   }
 

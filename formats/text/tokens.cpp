@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/printable.hpp"
+#include "base/sentences/sentences.hpp"
 #include "formats/text/numbers.hpp"
 
 namespace keyblock::formats {
@@ -142,12 +143,12 @@ int Cursor::next_count_up_to(int limit, std::string_view whole, std::string_view
 
 Warnings Cursor::remainder() const {
   Warnings warnings;
-  if (numbers_left() > 0)
-    warnings.push_back(
-        {"surplus_numbers", place(), fmt::format("{} numbers behind the last record are ignored", numbers_left())});
-  if (const auto junk = tokens_.junk())
-    warnings.push_back({"trailing_text", tokens_.place_of(tokens_.numbers.size()),
-                        fmt::format("text from {} on is ignored", in_quotes(*junk))});
+  if (numbers_left() > 0) warnings.push_back(warning_of({"surplus_numbers", {{{"count", numbers_left()}}}}, place()));
+  if (const auto junk = tokens_.junk()) {
+    Facts facts{{}, {{"quoted", in_quotes(*junk)}}};
+    facts.names = {{"text", std::string(*junk)}};
+    warnings.push_back(warning_of({"trailing_text", std::move(facts)}, tokens_.place_of(tokens_.numbers.size())));
+  }
   return warnings;
 }
 

@@ -95,6 +95,7 @@ Json facts_json(const Facts& facts) {
   for (const auto& [name, value] : facts.numbers) json["numbers"][name] = value;
   if (!facts.elements.empty()) json["blocks"] = facts.elements;
   if (!facts.points.empty()) json["points"] = facts.points;
+  for (const auto& [kind, name] : facts.names) json["names"][kind].push_back(name);
   return json;
 }
 

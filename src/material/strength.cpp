@@ -123,21 +123,22 @@ std::string why_unusable(const Strength& strength) {
   return {};
 }
 
-std::vector<StrengthDoubt> doubts_of(const Strength& strength) {
-  std::vector<StrengthDoubt> doubts;
+std::vector<Finding> doubts_of(const Strength& strength) {
+  std::vector<Finding> doubts;
+  const auto angles_of = [](const StrengthValues& values) {
+    return Facts{{{"dilation_deg", values.dilation_deg}, {"friction_deg", values.friction_deg}}};
+  };
+  const auto add = [&](const char* code, Facts facts, const char* when) {
+    facts.texts.emplace_back("when", when);
+    doubts.push_back({code, std::move(facts)});
+  };
   const auto look = [&](const StrengthValues& values, const char* when) {
-    if (values.dilation_deg > values.friction_deg)
-      doubts.push_back({"dilation_above_friction",
-                        fmt::format("dilation_deg {} is above friction_deg {}{}: flow then creates energy",
-                                    values.dilation_deg, values.friction_deg, when)});
+    if (values.dilation_deg > values.friction_deg) add("dilation_above_friction", angles_of(values), when);
   };
   const auto look_at_tension = [&](const StrengthValues& values, const char* when) {
     const double apex = apex_of(strength, values);
     if (values.tensile_strength && *values.tensile_strength > apex)
-      doubts.push_back(
-          {"tensile_strength_without_effect",
-           fmt::format("tensile_strength {} is above the apex of the surface, c cot φ = {:.4g}{}: it has no effect",
-                       *values.tensile_strength, apex, when)});
+      add("tensile_strength_without_effect", {{{"tensile_strength", *values.tensile_strength}, {"apex", apex}}}, when);
   };
   look(strength.values, "");
   look_at_tension(strength.values, "");
@@ -147,21 +148,13 @@ std::vector<StrengthDoubt> doubts_of(const Strength& strength) {
   if (strength.change && strength.change->values.tensile_strength != strength.values.tensile_strength)
     look_at_tension(strength.change->values, " after the change");
   const bool is_cone = strength.surface == YieldSurface::drucker_prager;
-  if (!is_cone && strength.matching != ConeMatching::compression)
-    doubts.push_back(
-        {"matching_without_effect", "only drucker_prager reads matching: with this surface it has no effect"});
+  if (!is_cone && strength.matching != ConeMatching::compression) doubts.push_back({"matching_without_effect"});
   if (is_cone && strength.matching == ConeMatching::plane_strain &&
       strength.values.dilation_deg != strength.values.friction_deg)
-    doubts.push_back(
-        {"matching_without_associated_flow",
-         fmt::format(
-             "matching plane_strain assumes associated flow; with dilation_deg {} and friction_deg {} the limit "
-             "load in plane strain is not that of mohr_coulomb",
-             strength.values.dilation_deg, strength.values.friction_deg)});
+    doubts.push_back({"matching_without_associated_flow", angles_of(strength.values)});
   if (strength.change && strength.change->plastic_strain > 0 &&
       compressive_strength(strength, strength.change->values) < compressive_strength(strength, strength.values))
-    doubts.push_back({"softening_without_fracture_energy",
-                      "strength decreases with plastic strain, without a fracture_energy: results depend on the mesh"});
+    doubts.push_back({"softening_without_fracture_energy"});
   return doubts;
 }
 

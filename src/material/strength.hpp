@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/words/finding.hpp"
 #include "problem/yield.hpp"
 
 namespace keyblock {
@@ -31,14 +32,8 @@ bool is_reachable(const Strength& strength);
 /// -2".
 std::string why_unusable(const Strength& strength);
 
-/// Likely mistake in a usable strength, with the code of its warning.
-struct StrengthDoubt {
-  std::string code;
-  std::string sentence;
-};
-
 /// Returns likely mistakes in a usable strength. They are dilation above friction, tensile strength or matching without
 /// effect, a matching unlike that of the flow, and softening that depends on the mesh.
-std::vector<StrengthDoubt> doubts_of(const Strength& strength);
+std::vector<Finding> doubts_of(const Strength& strength);
 
 }  // namespace keyblock

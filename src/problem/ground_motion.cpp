@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/ground_motion.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "base/sentences/sentences.hpp"
 
 namespace keyblock {
 namespace {
@@ -35,17 +35,11 @@ Warnings apply_motion(Analysis& analysis, const TimeCurve& motion) {
                      "expected weights of blocks, to know the gravity that the motion is a multiple of; found none");
   analysis.body_acceleration = motion;
   for (Point& value : analysis.body_acceleration.values) value = gravity * value;
-  Warnings warnings{{"motion_applied", motion.place,
-                     fmt::format("the ground motion, times a gravity of {}, accelerates all blocks; the Berkeley "
-                                 "program reads it and does not apply it",
-                                 gravity)}};
+  Warnings warnings{warning_of({"motion_applied", {{{"gravity", gravity}}}}, motion.place)};
   const auto is_other = [&](const BlockMaterial& material) { return differs(gravity_of(material), gravity); };
   if (const auto count = std::ranges::count_if(materials, is_other); !is_stated && count > 0)
     warnings.push_back(
-        {"motion_of_one_gravity", motion.place,
-         fmt::format("{} of {} block materials have another gravity, weight over mass; the motion takes that "
-                     "of the first",
-                     count, materials.size())});
+        warning_of({"motion_of_one_gravity", {{{"count", count}, {"materials", materials.size()}}}}, motion.place));
   return warnings;
 }
 

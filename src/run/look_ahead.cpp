@@ -180,7 +180,8 @@ class Blocky {
   Finding about(const char* form, const std::vector<std::size_t>& found, const Texts& texts) const {
     const BlockForm& first = shapes_[found.front()];
     const double size = first.area, percent = 100 * size / mean_;
-    Facts facts{{{"count", found.size()}, {"blocks", shapes_.size()}, {"area", size}, {"percent", percent}}, texts};
+    Facts facts{{{"count", found.size()}, {"blocks", shapes_.size()}, {"area", size}, {"percent_of_mean", percent}},
+                texts};
     facts.points = {{first.centroid.x, first.centroid.y}};
     for (const std::size_t block : found) facts.elements.push_back(static_cast<int>(block) + 1);
     return {form, std::move(facts)};

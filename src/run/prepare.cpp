@@ -3,13 +3,13 @@
 #include "run/prepare.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include "base/sentences/sentences.hpp"
 #include "base/words/quoted_name.hpp"
 #include "cut/covers/from_cover.hpp"
 #include "legacy/step/hanging.hpp"
@@ -41,6 +41,14 @@ namespace {
 // Relative tolerance of unit weights, which are often derived by hand from a density and a rounded gravity.
 constexpr double kSameWeight = 1e-3;
 
+Warning broken_at_start(const BlockBolt& bolt, std::ptrdiff_t number, const Place& place) {
+  Facts facts{{{"bolt", number}, {"pretension", bolt.pretension}, {"bolt_strength", bolt.strength}},
+              {{"named", quoted_name(bolt.name.value_or({}))}},
+              {bolt.first_block + 1, bolt.second_block + 1}};
+  if (bolt.name) facts.names = {{"bolt", *bolt.name}};
+  return warning_of({"bolt_broken_at_start", std::move(facts)}, place);
+}
+
 // Warns of input that this profile ignores.
 Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Settings& settings) {
   Warnings warnings;
@@ -53,10 +61,7 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   const auto is_overdrawn = [](const BlockBolt& bolt) { return bolt.strength > 0 && bolt.pretension >= bolt.strength; };
   if (const auto bolt = std::ranges::find_if(blocks.bolts, is_overdrawn);
       settings.dynamics == Dynamics::standard && bolt != blocks.bolts.end())
-    warn("bolt_broken_at_start",
-         fmt::format("bolt {}{} is broken from the start: its pretension of {:g} is not below its strength of {:g}",
-                     bolt - blocks.bolts.begin() + 1, quoted_name(bolt->name.value_or({})), bolt->pretension,
-                     bolt->strength));
+    warnings.push_back(broken_at_start(*bolt, bolt - blocks.bolts.begin() + 1, analysis.place));
   if (analysis.contact_damping != 0)
     warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };
@@ -95,8 +100,9 @@ Warnings without_effect(const Problem& problem, const std::vector<Override>& ove
   const auto look = [&](const Override& setting, const Place& place) {
     const std::string why = why_unread(problem, first, setting.first);
     if (why.empty()) return;
-    warnings.push_back(
-        {"setting_without_effect", place, fmt::format("setting {} has no effect here: it {}", setting.first, why)});
+    Facts facts{{}, {{"why", why}}};
+    facts.names = {{"setting", setting.first}};
+    warnings.push_back(warning_of({"setting_without_effect", std::move(facts)}, place));
   };
   const RunChoices& choices = problem.choices;
   for (std::size_t i = 0; i < choices.settings.size(); ++i)

@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "base/sentences/sentences.hpp"
 #include "material/strength.hpp"
 #include "model/continuum.hpp"
 #include "model/material_choices.hpp"
@@ -82,12 +83,7 @@ Warning soft_patterns(const Continuum& continuum, const Place& place) {
     const std::array<int, 3>& own = continuum.manifold.elements[e].covers;
     if (continuum.material(static_cast<int>(e)).is_nonlinear()) covers.insert(own.begin(), own.end());
   }
-  return {
-      "soft_patterns", place,
-      fmt::format("elastoplastic NMM bodies have soft patterns in dynamics: gradients are averaged over {} covers and "
-                  "hardly see motion that alternates from cover to cover. About three in four of {} vibrations are too "
-                  "slow. Smooth motion and energy are right, velocities of single points after an impact are not",
-                  covers.size(), 2 * covers.size())};
+  return warning_of({"soft_patterns", {{{"covers", covers.size()}, {"vibrations", 2 * covers.size()}}}}, place);
 }
 
 Warnings look_at_covers(const Scene& scene, const Place& place) {

@@ -5,28 +5,38 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <stdexcept>
 
 #include "base/words/diagnostics.hpp"
 
 namespace keyblock::sentences_test {
+namespace {
+
+std::array<std::span<const Sentence>, 6> all_parts() {
+  return {sentences_ahead(),      sentences_of_cases(), sentences_of_cuts(),
+          sentences_of_readers(), sentences_of_runs(),  sentences_of_steps()};
+}
+
+}  // namespace
 
 TEST(Sentences, forms_are_sorted_and_unique) {
-  for (const std::span<const Sentence> part : {sentences_ahead(), sentences_of_runs(), sentences_of_steps()}) {
+  for (const std::span<const Sentence> part : all_parts()) {
     EXPECT_GT(part.size(), 30U);
     EXPECT_EQ(std::ranges::adjacent_find(part, std::greater_equal<>{}, &Sentence::form), part.end());
   }
 }
 
 TEST(Sentences, every_sentence_of_a_warning_has_a_row_of_diagnostics) {
-  for (const std::span<const Sentence> part : {sentences_ahead(), sentences_of_runs()})
+  for (const std::span<const Sentence> part :
+       {sentences_ahead(), sentences_of_cases(), sentences_of_cuts(), sentences_of_readers(), sentences_of_runs()})
     for (const Sentence& row : part)
       EXPECT_NE(find_diagnostic(Finding{std::string(row.form)}.code()), nullptr) << row.form;
 }
 
 TEST(Sentences, braces_and_brackets_are_closed) {
-  for (const std::span<const Sentence> part : {sentences_ahead(), sentences_of_runs(), sentences_of_steps()})
+  for (const std::span<const Sentence> part : all_parts())
     for (const Sentence& row : part)
       for (const auto& [open, close] : {std::pair{'{', '}'}, std::pair{'[', ']'}})
         EXPECT_EQ(std::ranges::count(row.text, open), std::ranges::count(row.text, close)) << row.form;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/sentences/sentences.hpp"
 #include "material/strength.hpp"
 
 namespace keyblock::strength_doubts_test {
@@ -16,8 +17,8 @@ Strength of(YieldSurface surface, const StrengthValues& values, ConeMatching mat
 }
 
 std::string only_doubt(const Strength& strength) {
-  const std::vector<StrengthDoubt> doubts = doubts_of(strength);
-  return doubts.size() == 1 ? doubts.front().code + ": " + doubts.front().sentence
+  const std::vector<Finding> doubts = doubts_of(strength);
+  return doubts.size() == 1 ? doubts.front().code() + ": " + sentence_of(doubts.front())
                             : std::to_string(doubts.size()) + " doubts";
 }
 

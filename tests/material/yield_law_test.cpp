@@ -12,6 +12,7 @@
 #include <limits>
 #include <random>
 
+#include "base/sentences/sentences.hpp"
 #include "material/crack_return.hpp"
 #include "material/strength.hpp"
 
@@ -485,7 +486,7 @@ TEST(Strength, what_cannot_be_is_refused) {
   Strength weaker = mohr_coulomb(20, 20, 2);
   weaker.change = StrengthChange{.values = weaker.values, .plastic_strain = 0.1};
   weaker.change->values.friction_deg = 5;
-  EXPECT_NE(doubts_of(weaker).front().sentence.find("above friction_deg 5 after the change"), std::string::npos);
+  EXPECT_NE(sentence_of(doubts_of(weaker).front()).find("above friction_deg 5 after the change"), std::string::npos);
   EXPECT_EQ(doubts_of(mohr_coulomb(20, 30, 2)).size(), 1U);
   // Angles that a change leaves unchanged give no second doubt.
   Strength looser = mohr_coulomb(20, 30, 2);

@@ -22,6 +22,7 @@
 #include "base/counted.hpp"
 #include "base/decimals.hpp"
 #include "base/printable.hpp"
+#include "base/sentences/sentences.hpp"
 #include "cut/covers/from_cover.hpp"
 #include "formats/case.hpp"
 #include "job/run_heading.hpp"
@@ -207,11 +208,9 @@ Warnings several_cases(const std::vector<formats::FileReading>& files) {
     if (content.analysis) analyses.push_back(file.path);
   }
   const auto told = [](const std::vector<std::string>& found, const char* noun) {
-    return Warnings{
-        {"several_cases",
-         {found[1], 0, 0},
-         fmt::format("a second {} of {}, after {}: together the files are no case, each was looked at alone", noun,
-                     found.size(), found[0])}};
+    Facts facts{{{"count", found.size()}}, {{"noun", noun}}};
+    facts.names = {{"file", found[0]}};
+    return Warnings{warning_of({"several_cases", std::move(facts)}, {found[1], 0, 0})};
   };
   if (geometries.size() > 1) return told(geometries, "geometry");
   if (analyses.size() > 1) return told(analyses, "analysis");
@@ -242,7 +241,7 @@ void try_steps(CaseReport& report, const Scene& scene, double seconds, const Pla
     report.trial = TrialSteps{.starts = true, .failure = error.what()};
   }
   if (!report.trial->failure.empty())
-    report.warnings.push_back({"first_steps_fail", place, "a run fails: " + report.trial->failure});
+    report.warnings.push_back(warning_of({"first_steps_fail", {{}, {{"why", report.trial->failure}}}}, place));
 }
 
 /// Returns the warnings of a run about its histories before the first step. Throws InputError for a history of a

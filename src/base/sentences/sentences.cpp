@@ -18,7 +18,8 @@ namespace keyblock {
 namespace {
 
 std::optional<std::string_view> text_of(std::string_view form) {
-  for (const std::span<const Sentence> part : {sentences_ahead(), sentences_of_runs(), sentences_of_steps()})
+  for (const std::span<const Sentence> part : {sentences_ahead(), sentences_of_cases(), sentences_of_cuts(),
+                                               sentences_of_readers(), sentences_of_runs(), sentences_of_steps()})
     if (const auto row = std::ranges::lower_bound(part, form, {}, &Sentence::form);
         row != part.end() && row->form == form)
       return row->text;
@@ -30,6 +31,8 @@ std::optional<double> value_of(const Facts& facts, std::string_view name) {
     if (known == name) return value;
   if (!facts.points.empty() && name == "x") return facts.points.front()[0];
   if (!facts.points.empty() && name == "y") return facts.points.front()[1];
+  if (facts.points.size() > 1 && name == "x2") return facts.points[1][0];
+  if (facts.points.size() > 1 && name == "y2") return facts.points[1][1];
   if (!facts.elements.empty() && name == "element") return facts.elements.front();
   if (facts.elements.size() > 1 && name == "other") return facts.elements[1];
   return std::nullopt;
@@ -48,8 +51,9 @@ std::string formatted(double value, std::string_view format) {
 std::optional<std::string> filled(const Facts& facts, std::string_view field) {
   const std::size_t colon = field.find(':');
   const std::string_view name = field.substr(0, colon);
-  for (const auto& [known, text] : facts.texts)
-    if (known == name) return text;
+  for (const auto* texts : {&facts.texts, &facts.names})
+    for (const auto& [known, text] : *texts)
+      if (known == name) return text;
   if (name == "elements") return listed(facts.elements);
   const std::optional<double> value = value_of(facts, name);
   if (!value) return std::nullopt;

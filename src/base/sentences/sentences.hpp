@@ -7,14 +7,15 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/sentences/sentences.hpp"
 #include "base/words/finding.hpp"
 
 namespace keyblock {
 
-/// A row of the table. `text` has values in braces, `{name}` or `{name:format}`: a number or text of that name, `x` and
-/// `y` of the first point, `element` and `other` as the first two elements. Formats are those of fmt; none: as people
-/// write it; `pN`: the same with N digits; `r`: all digits; `#noun`: a count with its noun; `?`: nothing. `{elements}`:
-/// list of all elements. A part in brackets is left out if it has a value that is not there.
+/// A row of the table. `text` has values in braces, `{name}` or `{name:format}`: a number or text of that name. `x` and
+/// `y` are the first point, `x2` and `y2` the second, `element` and `other` the first two elements. Formats are those
+/// of fmt; none: as people write it; `pN`: the same with N digits; `r`: all digits; `#noun`: count and noun; `?`:
+/// nothing. `{elements}`: list of all elements. A part in brackets is left out if it has a value that is not there.
 struct Sentence {
   std::string_view form;
   std::string_view text;
@@ -22,6 +23,9 @@ struct Sentence {
 
 /// All rows, each part sorted by form.
 std::span<const Sentence> sentences_ahead();
+std::span<const Sentence> sentences_of_cases();
+std::span<const Sentence> sentences_of_cuts();
+std::span<const Sentence> sentences_of_readers();
 std::span<const Sentence> sentences_of_runs();
 std::span<const Sentence> sentences_of_steps();
 

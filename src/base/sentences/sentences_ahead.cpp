@@ -23,7 +23,7 @@ constexpr auto kSentencesAhead = std::to_array<Sentence>({
      "{width:p3} wide: it cannot bend[{rigid:?}, and with two fixed points it is rigid]"},
     {"block_outside_outline",
      "{count:#block} {lie} of {blocks} outside the boundary lines, the first is block {element} at {x}, {y}, area "
-     "{area:p3} ({percent:.3g} % of the mean): joints that are drawn beyond the outline make blocks there"},
+     "{area:p3} ({percent_of_mean:.3g} % of the mean): joints that are drawn beyond the outline make blocks there"},
     {"bonded_crack_faces",
      "the faces of the crack that ends at {x}, {y} are bonded: joint material {joint_material} has the cohesion "
      "{cohesion} and the tensile strength {tensile_strength}: K is that of bonded faces as long as the bonds hold; a "
@@ -37,7 +37,7 @@ constexpr auto kSentencesAhead = std::to_array<Sentence>({
      "frame of {every} (--contacts all: every frame; none or chosen: less)"},
     {"free_blocks",
      "{count:#block} without contact {move} freely from the start, first block {element} at {x}, {y}, area {area:p3} "
-     "({percent:.3g} % of the mean)"},
+     "({percent_of_mean:.3g} % of the mean)"},
     {"gravity_points_upward",
      "gravity points upward, {gravity:.4g} along y: a positive `gravity` of a file points downward"},
     {"history_of_distant_blocks",
@@ -72,7 +72,7 @@ constexpr auto kSentencesAhead = std::to_array<Sentence>({
      "displacements are too small by some per cent to a half, less on a finer mesh{advice}"},
     {"slivers",
      "{count:#block} of {blocks} {are} {rule}: the smallest is block {element} at {x}, {y}, area {area:p3} "
-     "({percent:.3g} % of the mean); the thinnest is block {thinnest} at {thinnest_at}, {width:p3} wide and "
+     "({percent_of_mean:.3g} % of the mean); the thinnest is block {thinnest} at {thinnest_at}, {width:p3} wide and "
      "{length:p3} long. Slivers need small steps and may never come to rest"},
     {"springs_stiff_for_step",
      "contact springs of {stiffness:.3g} are {ratio:.3g} times as stiff as the inertia of the mean block over a step "
@@ -102,13 +102,14 @@ constexpr auto kSentencesAhead = std::to_array<Sentence>({
      "into the floor, and so holds what would slide on the face that dips to it by {dip_deg:p3} degrees"},
     {"unheld_blocks",
      "{count:#block} of {blocks} {are} connected to no fixed block, first block {element} at {x}, {y}, area {area:p3} "
-     "({percent:.3g} % of the mean): under gravity they fall freely"},
+     "({percent_of_mean:.3g} % of the mean): under gravity they fall freely"},
     {"unheld_blocks:weightless",
      "{count:#block} of {blocks} {are} connected to no fixed block, first block {element} at {x}, {y}, area {area:p3} "
-     "({percent:.3g} % of the mean): they move as loads push them"},
+     "({percent_of_mean:.3g} % of the mean): they move as loads push them"},
     {"unsupported_blocks",
-     "{count:#block} {have} no support from below, first block {element} at {x}, {y}, area {area:p3} ({percent:.3g} % "
-     "of the mean): friction and bonds alone can carry {them}"},
+     "{count:#block} {have} no support from below, first block {element} at {x}, {y}, area {area:p3} "
+     "({percent_of_mean:.3g} % of "
+     "the mean): friction and bonds alone can carry {them}"},
 });
 
 }  // namespace

@@ -12,9 +12,10 @@ namespace keyblock {
 /// Values behind a sentence. Decisions read these, never the sentence.
 struct Facts {
   std::vector<std::pair<std::string, double>> numbers = {};     ///< by name
-  std::vector<std::pair<std::string, std::string>> texts = {};  ///< names and parts of the sentence
+  std::vector<std::pair<std::string, std::string>> texts = {};  ///< other parts of the sentence
   std::vector<int> elements = {};                               ///< numbers of blocks or elements, from 1
   std::vector<std::array<double, 2>> points = {};
+  std::vector<std::pair<std::string, std::string>> names = {};  ///< by kind: "layer", "setting"; parts of the sentence
 
   bool operator==(const Facts&) const = default;
 };

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/blocks_of_faces.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -25,8 +23,7 @@ void BlocksOfFaces::add(const Face& face, int number_of_face) {
   std::vector<int> lines;
   BlockPolygon block{0, loop_of(face.outer, lines), {}};
   if (block.outer.size() < 3) {
-    notes_.warn("sliver_removed", notes_.place(face.outer.front().line),
-                "the lines close a block without an area; it is left out");
+    notes_.warn({"sliver_removed"}, notes_.place(face.outer.front().line));
     return;
   }
   for (const Chain& hole : face.holes) {
@@ -34,10 +31,8 @@ void BlocksOfFaces::add(const Face& face, int number_of_face) {
     BlockLoop loop = loop_of(hole, lines_of_hole);
     if (loop.size() < 3) continue;
     lines.insert(lines.end(), lines_of_hole.begin(), lines_of_hole.end());
-    notes_.warn(
-        "block_inside_block", notes_.place(hole.front().line),
-        fmt::format("a closed loop lies inside block {}: it is cut out there (Shi's programs count its area twice)",
-                    result_.blocks.blocks.size() + 1));
+    notes_.warn({"block_inside_block", {{}, {}, {static_cast<int>(result_.blocks.blocks.size()) + 1}}},
+                notes_.place(hole.front().line));
     block.holes.push_back(std::move(loop));
   }
   result_.blocks.blocks.push_back(std::move(block));

@@ -84,7 +84,7 @@ class Cutting {
       const JointLine& line = drawing_.joints[i];
       if (!is_finite(line.segment)) throw InputError(line.place, "expected finite coordinates of a line");
       if (line.segment.start == line.segment.end) {
-        notes_.warn("zero_length_line", line.place, "the line has no length and is left out");
+        notes_.warn({"zero_length_line"}, line.place);
         continue;
       }
       if (!met.insert(ends_of(line.segment)).second) {
@@ -162,7 +162,7 @@ class Cutting {
       slits_.insert(slits_.end(), pruning.dangling.begin(), pruning.dangling.end());
       slits_.insert(slits_.end(), pruning.bridges.begin(), pruning.bridges.end());
     } else {
-      notes_.of_removed("bridge_lines_removed", "have the same block on both sides", pruning.bridges);
+      notes_.of_removed("bridge_lines_removed", pruning.bridges);
     }
     arrangement_.edges = std::move(pruning.kept);
   }
@@ -182,13 +182,12 @@ class Cutting {
     result_.report.detours = static_cast<int>(planar.detours.size());
     result_.report.late_crossings = planar.crossings;
     if (!planar.detours.empty()) {
-      notes_.warn("edges_rerouted", place(planar.detours.front().line),
-                  fmt::format("{} pieces pass a node nearer than {:.6g} and are led through it", planar.detours.size(),
-                              tolerances().near_pass));
+      Facts facts{{{"count", planar.detours.size()}, {"within", tolerances().near_pass}}};
+      for (const Detour& d : planar.detours) facts.points.push_back({d.from.x, d.from.y});
+      notes_.warn({"edges_rerouted", std::move(facts)}, place(planar.detours.front().line));
     }
     result_.report.deleted = static_cast<int>(planar.deleted.size());
-    notes_.of_removed("near_pieces_deleted", "pass a node too near, or cross another, by the rule of Shi's programs,",
-                      planar.deleted);
+    notes_.of_removed("near_pieces_deleted", planar.deleted);
     if (planar.detours.empty() && planar.crossings == 0 && planar.deleted.empty()) {
       arrangement_ = std::move(planar.arrangement);
     } else {

@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/cut_notes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
 #include "base/listed.hpp"
-#include "base/words/plain_number.hpp"
+#include "base/sentences/sentences.hpp"
 #include "cut/bodies/slivers.hpp"
 #include "geometry/segment.hpp"
 #include "problem/lines/near_ends.hpp"
@@ -35,8 +32,8 @@ double median_width(const std::vector<BlockPolygon>& blocks) {
 
 }  // namespace
 
-void CutNotes::warn(std::string name, Place at, std::string sentence) {
-  result_.warnings.push_back({std::move(name), std::move(at), std::move(sentence)});
+void CutNotes::warn(Finding finding, const Place& at) {
+  result_.warnings.push_back(warning_of(std::move(finding), at));
 }
 
 // Counts lines as the file does, from 1.
@@ -46,11 +43,9 @@ std::size_t CutNotes::number(int line) const {
 
 void CutNotes::of_repeated(const std::vector<std::size_t>& lines) {
   if (lines.empty()) return;
-  const bool several = lines.size() > 1;
-  warn("duplicate_line", drawing_.joints[lines.front() - 1].place,
-       fmt::format("line{} {} {} earlier line{} and {} left out; the joint material is that of the earlier one",
-                   several ? "s" : "", listed(lines), several ? "repeat" : "repeats an", several ? "s" : "",
-                   several ? "are" : "is"));
+  const char* const form = lines.size() > 1 ? "duplicate_line:several" : "duplicate_line";
+  warn({form, {{{"count", lines.size()}, {"line", lines.front()}}, {{"lines", listed(lines)}}}},
+       drawing_.joints[lines.front() - 1].place);
 }
 
 void CutNotes::of_overlaps(const std::vector<Crossing>& found) {
@@ -66,20 +61,18 @@ void CutNotes::of_overlaps(const std::vector<Crossing>& found) {
     if (first == nullptr) first = &c;
   }
   if (count == 0) return;
-  warn("overlapping_lines", place(first->line),
-       count == 1 ? fmt::format("the line partly covers line {}; the joint material is that of the earlier one",
-                                number(first->other))
-                  : fmt::format("{} pairs of lines cover each other in part, first this line and line {}; the joint "
-                                "material is that of the earlier one",
-                                count, number(first->other)));
+  Facts facts{{{"pairs", count}, {"line", number(first->line)}, {"other_line", number(first->other)}}};
+  facts.points = {{first->position.x, first->position.y}};
+  warn({count == 1 ? "overlapping_lines" : "overlapping_lines:several", std::move(facts)}, place(first->line));
 }
 
 void CutNotes::of_dangling(const std::vector<char>& is_dangling) {
   const auto first = std::find(is_dangling.begin(), is_dangling.end(), 1);
   if (first == is_dangling.end()) return;
-  warn("dangling_lines_removed", place(static_cast<int>(first - is_dangling.begin())),
-       fmt::format("loose ends of {} of {} are removed; this is the first",
-                   std::count(is_dangling.begin(), is_dangling.end(), 1), counted(is_dangling.size(), "line")));
+  const int line = static_cast<int>(first - is_dangling.begin());
+  const auto count = std::count(is_dangling.begin(), is_dangling.end(), 1);
+  warn({"dangling_lines_removed", {{{"count", count}, {"lines", is_dangling.size()}, {"line", number(line)}}}},
+       place(line));
 }
 
 void CutNotes::of_near_ends(const std::vector<char>& is_dangling) {
@@ -96,14 +89,10 @@ void CutNotes::of_near_ends(const std::vector<char>& is_dangling) {
   if (found.empty()) return;
   const auto [nearest, farthest] = std::ranges::minmax(found, {}, &NearEnd::gap);
   const int line = static_cast<int>(nearest.line);
-  const bool is_one = found.size() == 1;
-  warn("ends_stop_short", place(line),
-       fmt::format("{} less than {} short of another line and {} it nowhere, the nearest {} at ({}, {}), line {}{}; "
-                   "--join DISTANCE joins those nearer than it",
-                   is_one ? "1 end of a line stops" : fmt::format("{} ends of lines stop", found.size()),
-                   plain(within, 3), is_one ? "meets" : "meet", plain(nearest.gap(), 3), plain(nearest.from.x, 6),
-                   plain(nearest.from.y, 6), number(line),
-                   is_one ? "" : fmt::format(", the farthest {}", plain(farthest.gap(), 3))));
+  Facts facts{{{"count", found.size()}, {"within", within}, {"gap", nearest.gap()}, {"line", number(line)}}};
+  if (found.size() > 1) facts.numbers.emplace_back("farthest", farthest.gap());
+  facts.points = {{nearest.from.x, nearest.from.y}};
+  warn({found.size() == 1 ? "ends_stop_short" : "ends_stop_short:several", std::move(facts)}, place(line));
 }
 
 void CutNotes::of_merging(const std::vector<Crossing>& found, const NodeTable& table) {
@@ -117,23 +106,20 @@ void CutNotes::of_merging(const std::vector<Crossing>& found, const NodeTable& t
   result_.report.merged = static_cast<int>(table.moves.size());
   if (!table.moves.empty()) {
     const NodeMove& first = table.moves.front();
-    warn("nodes_merged", place(first.line),
-         fmt::format("{} moved to a node nearer than {:.6g}, the first from ({:.9g}, {:.9g})",
-                     counted(table.moves.size(), "crossing"), tolerances().merge, first.from.x, first.from.y));
+    Facts facts{{{"count", table.moves.size()}, {"within", tolerances().merge}}};
+    for (const NodeMove& move : table.moves) facts.points.push_back({move.from.x, move.from.y});
+    warn({"nodes_merged", std::move(facts)}, place(first.line));
   }
   result_.report.placed_otherwise = table.placed_otherwise;
-  if (table.placed_otherwise > 0) {
-    warn("nodes_placed_otherwise", drawing_.place,
-         fmt::format("{} merged at a place set by the geometry, not at the first crossing that Shi's programs find",
-                     counted(static_cast<std::size_t>(table.placed_otherwise), "node")));
-  }
+  if (table.placed_otherwise > 0)
+    warn({"nodes_placed_otherwise", {{{"count", table.placed_otherwise}}}}, drawing_.place);
   if (!table.undecided_nodes.empty()) {
-    const Point at = table.arrangement.nodes[table.undecided_nodes.front()].position;
-    warn("merging_left_close_nodes", drawing_.place,
-         fmt::format("{} nodes stay apart from a neighbour nearer than {:.6g}, because the group would "
-                     "grow wider than "
-                     "that; the first is ({:.9g}, {:.9g})",
-                     table.undecided_nodes.size(), tolerances().merge, at.x, at.y));
+    Facts facts{{{"count", table.undecided_nodes.size()}, {"within", tolerances().merge}}};
+    for (const int node : table.undecided_nodes) {
+      const Point at = table.arrangement.nodes[node].position;
+      facts.points.push_back({at.x, at.y});
+    }
+    warn({"merging_left_close_nodes", std::move(facts)}, drawing_.place);
   }
 }
 
@@ -148,10 +134,10 @@ void CutNotes::of_far_merging() {
     if (farthest == nullptr || way(snap) > way(*farthest)) farthest = &snap;
   }
   if (farthest == nullptr) return;
-  warn("nodes_merged_far", farthest->place,
-       fmt::format("{} moved by more than {:g} % of the width of a block ({}), the farthest by {} from ({}, {})",
-                   counted(count, "crossing"), 100 * kFarInWidths, plain(width, 3), plain(way(*farthest), 3),
-                   plain(farthest->from.x, 6), plain(farthest->from.y, 6)));
+  Facts facts{
+      {{"count", count}, {"percent_of_width", 100 * kFarInWidths}, {"width", width}, {"distance", way(*farthest)}}};
+  facts.points = {{farthest->from.x, farthest->from.y}};
+  warn({"nodes_merged_far", std::move(facts)}, farthest->place);
 }
 
 void CutNotes::of_reach(const Crossing& c) {
@@ -165,15 +151,14 @@ void CutNotes::of_reach(const Crossing& c) {
   }
 }
 
-void CutNotes::of_removed(const char* name, const char* why, const std::vector<Edge>& edges) {
+void CutNotes::of_removed(const char* form, const std::vector<Edge>& edges) {
   if (edges.empty()) return;
   std::vector<int> lines;
   for (const Edge& e : edges) lines.push_back(e.line);
   std::sort(lines.begin(), lines.end());
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-  warn(name, place(lines.front()),
-       fmt::format("removed: {} of {}, which {}; the first is of this line", counted(edges.size(), "piece"),
-                   counted(lines.size(), "line"), why));
+  const int first = lines.front();
+  warn({form, {{{"count", edges.size()}, {"lines", lines.size()}, {"line", number(first)}}}}, place(first));
 }
 
 }  // namespace keyblock

@@ -26,7 +26,7 @@ class CutNotes {
 
   const Place& place(int line) const { return lines_.sources[line]->place; }
   std::size_t number(int line) const;  ///< number in the file, from 1
-  void warn(std::string name, Place at, std::string sentence);
+  void warn(Finding finding, const Place& at);
   /// `lines`: numbers of lines in the file.
   void of_repeated(const std::vector<std::size_t>& lines);
   void of_overlaps(const std::vector<Crossing>& found);
@@ -37,7 +37,7 @@ class CutNotes {
   void of_far_merging();
   /// Warns of free ends that stop just short of another line, with their distance and place.
   void of_near_ends(const std::vector<char>& is_dangling);
-  void of_removed(const char* name, const char* why, const std::vector<Edge>& edges);
+  void of_removed(const char* form, const std::vector<Edge>& edges);
 
  private:
   const CutTolerances& tolerances() const { return result_.report.tolerances; }

@@ -7,12 +7,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/counted.hpp"
-#include "base/words/plain_number.hpp"
+#include "base/sentences/sentences.hpp"
 #include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/predicates.hpp"
@@ -95,11 +97,8 @@ class Placer {
     if (blocks_.fixed_points.size() > before) return crossing_lines_.push_back(&line);
     add_point(blocks_.fixed_points, "fixed point", {line.segment.start, line.place});
     if (line.segment.start == line.segment.end || blocks_.fixed_points.size() == before) return;
-    warnings_.push_back(
-        {"fixed_line_in_one_block", line.place,
-         fmt::format("the fixed line from ({}, {}) to ({}, {}) crosses no edge: it fixes only its first point, about "
-                     "which the block can rotate",
-                     line.segment.start.x, line.segment.start.y, line.segment.end.x, line.segment.end.y)});
+    Facts facts{{}, {}, {blocks_.fixed_points.back().block + 1}, ends_of(line.segment)};
+    warn({"fixed_line_in_one_block", std::move(facts)}, line.place);
   }
 
   /// Warns of blocks in which a fixed line ends and whose only fixed point is the one where it leaves them. Call it
@@ -107,20 +106,21 @@ class Placer {
   void warn_of_single_points() {
     std::vector<int> held(blocks_.blocks.size());
     for (const BlockPoint& point : blocks_.fixed_points) ++held[point.block];
-    std::vector<MarkedPoint> found;
+    Facts facts;
+    Place first;
     for (const FixedLine* line : crossing_lines_)
       for (const Point end : {line->segment.start, line->segment.end}) {
         const auto block = block_at(blocks_.blocks, end, tolerances_.vertex_catch);
-        if (block && held[*block] == 1) found.push_back({end, line->place});
+        if (!block || held[*block] != 1) continue;
+        if (facts.elements.empty()) first = line->place;
+        facts.elements.push_back(*block + 1);
+        facts.points.push_back({end.x, end.y});
       }
-    if (found.empty()) return;
-    warnings_.push_back(
-        {"fixed_line_ends_in_block", found.front().place,
-         fmt::format(
-             "{} can rotate: a fixed line ends inside {}, the first at ({}, {}), and fixes only the point where it "
-             "crosses the outline",
-             found.size() == 1 ? "1 block" : fmt::format("{} blocks", found.size()), found.size() == 1 ? "it" : "them",
-             plain(found.front().position.x), plain(found.front().position.y))});
+    if (facts.elements.empty()) return;
+    facts.numbers = {{"count", facts.elements.size()}};
+    const char* const form =
+        facts.elements.size() == 1 ? "fixed_line_ends_in_block" : "fixed_line_ends_in_block:several";
+    warn({form, std::move(facts)}, first);
   }
 
   void add_point(std::vector<BlockPoint>& list, std::string_view kind, const MarkedPoint& mark) {
@@ -154,31 +154,21 @@ class Placer {
 
   /// Issues one warning per kind, with the count and the first point. Call it after all marks are placed.
   void warn_of_points() {
-    const auto at = [](const Mark& mark) {
-      return fmt::format("{} ({}, {})", mark.kind, mark.position.x, mark.position.y);
-    };
-    if (outside_.size() == 1)
-      warn("point_outside_blocks", outside_, at(outside_.front()) + " lies outside all blocks and is left out");
-    else if (!outside_.empty())
-      warn("point_outside_blocks", outside_,
-           fmt::format("{} lie outside all blocks and are left out: the first is {}", kinds_of(outside_),
-                       at(outside_.front())));
-    if (!moved_.empty())
-      warn("points_moved", moved_,
-           fmt::format("{} outside all blocks, by less than {:.3g}, {} moved onto the nearest: the first is {}",
-                       kinds_of(moved_), reach(), moved_.size() == 1 ? "is" : "are", at(moved_.front())));
+    if (!outside_.empty())
+      warn({outside_.size() == 1 ? "point_outside_blocks" : "point_outside_blocks:several", facts_of(outside_)},
+           outside_.front().place);
+    if (!moved_.empty()) {
+      Facts facts = facts_of(moved_);
+      facts.numbers.emplace_back("within", reach());
+      facts.texts.emplace_back("are", moved_.size() == 1 ? "is" : "are");
+      warn({"points_moved", std::move(facts)}, moved_.front().place);
+    }
     if (idle_bolts_.empty()) return;
     const BoltLine& first = *idle_bolts_.front();
-    const std::string named = quoted_name(first.name.value_or({}));
-    warnings_.push_back(
-        {"bolt_in_one_block", first.place,
-         idle_bolts_.size() == 1
-             ? fmt::format("both ends of the bolt{} lie in one block: it holds nothing", named)
-             : fmt::format(
-                   "both ends of {} bolts lie in one block: they hold nothing; the first is the bolt{} from ({}, "
-                   "{}) to ({}, {})",
-                   idle_bolts_.size(), named, first.segment.start.x, first.segment.start.y, first.segment.end.x,
-                   first.segment.end.y)});
+    Facts facts{{{"count", idle_bolts_.size()}}, {{"named", quoted_name(first.name.value_or({}))}}};
+    facts.points = ends_of(first.segment);
+    if (first.name) facts.names = {{"bolt", *first.name}};
+    warn({idle_bolts_.size() == 1 ? "bolt_in_one_block" : "bolt_in_one_block:several", std::move(facts)}, first.place);
   }
 
  private:
@@ -215,8 +205,17 @@ class Placer {
     return beside;
   }
 
-  void warn(const char* name, const std::vector<Mark>& marks, std::string sentence) {
-    warnings_.push_back({name, marks.front().place, std::move(sentence)});
+  void warn(Finding finding, const Place& place) { warnings_.push_back(warning_of(std::move(finding), place)); }
+
+  static std::vector<std::array<double, 2>> ends_of(const Segment& s) {
+    return {{s.start.x, s.start.y}, {s.end.x, s.end.y}};
+  }
+
+  /// Returns the count and the places of marks.
+  static Facts facts_of(const std::vector<Mark>& marks) {
+    Facts facts{{{"count", marks.size()}}, {{"kinds", kinds_of(marks)}, {"noun", std::string(marks.front().kind)}}};
+    for (const Mark& mark : marks) facts.points.push_back({mark.position.x, mark.position.y});
+    return facts;
   }
 
   /// Returns the counts by kind, such as "3 points (2 × bolt end, 1 × fixed point)".

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "base/counted.hpp"
+#include "base/sentences/sentences.hpp"
 #include "base/words/plain_number.hpp"
 #include "base/words/quoted_name.hpp"
 #include "cut/bodies/slivers.hpp"
@@ -82,13 +82,7 @@ class Treatment {
     std::size_t alone = 0;
     for (const Piece& piece : pieces_)
       alone += piece.is_alone && !piece.is_gone && is_sliver(piece.form, mean()) ? 1 : 0;
-    const std::string stay =
-        alone == 0
-            ? std::string()
-            : fmt::format("; {} no side with another and stay{}",
-                          alone == 1 ? "1 more shares" : fmt::format("{} more share", alone), alone == 1 ? "s" : "");
-    tell("slivers_glued", fmt::format("joined to the neighbour with the longest common side (slivers = glue){}", stay),
-         alone);
+    tell("slivers_glued", alone);
     hand_over();
     warn_of_bolts();
     return std::move(cut_);
@@ -106,7 +100,7 @@ class Treatment {
                          fmt::format("expected a block that is no sliver under slivers=leave_out, found all {} {}",
                                      pieces_.size(), slivers_in_words()));
     }
-    tell("slivers_left_out", "left out (slivers = leave_out)", 0);
+    tell("slivers_left_out", 0);
     hand_over();
     return std::move(cut_);
   }
@@ -164,16 +158,17 @@ class Treatment {
     measure(larger);
   }
 
-  void tell(const char* name, const std::string& what, std::size_t alone) {
-    const Place& place = cut_.blocks.place;
-    if (found_.empty()) {
-      const std::string why = alone == 0 ? fmt::format("finds no block {}", slivers_in_words())
-                                         : fmt::format("finds {}, {}, but none that shares a side with another",
-                                                       counted(alone, "sliver"), slivers_in_words());
-      cut_.warnings.push_back(
-          {"setting_without_effect", place, fmt::format("setting slivers has no effect here: it {}", why)});
-      return;
-    }
+  void warn_without_effect(std::size_t alone) {
+    Facts facts{{}, {{"rule", slivers_in_words()}}};
+    facts.names = {{"setting", "slivers"}};
+    if (alone > 0) facts.numbers = {{"slivers", alone}};
+    const char* const form = alone > 0 ? "setting_without_effect:no_side" : "setting_without_effect:no_sliver";
+    cut_.warnings.push_back(warning_of({form, std::move(facts)}, cut_.blocks.place));
+  }
+
+  /// `alone`: number of slivers that share no side with another block and stay.
+  void tell(const char* form, std::size_t alone) {
+    if (found_.empty()) return warn_without_effect(alone);
     double area = 0;
     for (std::size_t i = 0; i < areas_.size(); ++i) area += was_sliver_[i] ? areas_[i] : 0;
     std::vector<std::string> named;
@@ -181,11 +176,18 @@ class Treatment {
     const std::string more =
         found_.size() > kMostNamed ? fmt::format(" and {} more", found_.size() - kMostNamed) : std::string();
     const bool is_one = found_.size() == 1;
-    cut_.warnings.push_back(
-        {name, place,
-         fmt::format("{} of {}, {:.2g} % of all area, {}, {}, and {} {}: at {}{}", counted(found_.size(), "block"),
-                     pieces_.size(), 100 * area / total_, is_one ? "is a sliver" : "are slivers", slivers_in_words(),
-                     is_one ? "is" : "are", what, fmt::join(named, "; "), more)});
+    Facts facts{{{"count", found_.size()}, {"blocks", pieces_.size()}, {"percent_of_area", 100 * area / total_}},
+                {{"are", is_one ? "is a sliver," : "are slivers,"},
+                 {"rule", slivers_in_words()},
+                 {"treated", is_one ? "is" : "are"},
+                 {"places", fmt::format("{}{}", fmt::join(named, "; "), more)}}};
+    if (alone > 0) {
+      facts.numbers.emplace_back("alone", alone);
+      facts.texts.emplace_back("stay", alone == 1 ? "1 more shares no side with another and stays"
+                                                  : fmt::format("{} more share no side with another and stay", alone));
+    }
+    for (const BlockForm& block : found_) facts.points.push_back({block.centroid.x, block.centroid.y});
+    cut_.warnings.push_back(warning_of({form, std::move(facts)}, cut_.blocks.place));
   }
 
   void hand_over() {
@@ -209,12 +211,16 @@ class Treatment {
     }
   }
 
+  static Facts facts_of_idle(const BlockBolt& bolt) {
+    Facts facts{{}, {{"named", quoted_name(bolt.name.value_or({}))}}, {bolt.first_block + 1}};
+    facts.points = {{bolt.segment.start.x, bolt.segment.start.y}, {bolt.segment.end.x, bolt.segment.end.y}};
+    if (bolt.name) facts.names = {{"bolt", *bolt.name}};
+    return facts;
+  }
+
   void warn_of_bolts() {
     for (const BlockBolt& bolt : idle_bolts_)
-      cut_.warnings.push_back(
-          {"bolt_in_one_block", bolt.place,
-           fmt::format("both ends of the bolt{} lie in one block since slivers are glued: it holds nothing",
-                       quoted_name(bolt.name.value_or({})))});
+      cut_.warnings.push_back(warning_of({"bolt_in_one_block:glued", facts_of_idle(bolt)}, bolt.place));
   }
 
   void require_nothing_on(std::size_t sliver) const {

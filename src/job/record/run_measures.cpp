@@ -104,15 +104,27 @@ struct FactEntry {
 constexpr auto kFacts = std::to_array<FactEntry>({
     {".points[][]", m::kLength},
     {".numbers.apart", m::kLength},
+    {".numbers.apex", m::kStress},
     {".numbers.area", m::kArea},
+    {".numbers.bolt_strength", m::kForce},
     {".numbers.cohesion", m::kStress},
     {".numbers.displacement", m::kLength},
     {".numbers.distance", m::kLength},
     {".numbers.dt", m::kTime},
+    {".numbers.farthest", m::kLength},
+    {".numbers.gap", m::kLength},
+    {".numbers.gravity", m::kAcceleration},
     {".numbers.height", m::kLength},
     {".numbers.length", m::kLength},
+    {".numbers.off", m::kLength},
     {".numbers.penetration", m::kLength},
     {".numbers.plastic_work", m::kEnergy},
+    {".numbers.pretension", m::kForce},
+    {".numbers.radius", m::kLength},
+    {".numbers.tensile_strength", m::kStress},
+    {".numbers.unit_weight", m::kForcePerVolume},
+    {".numbers.width", m::kLength},
+    {".numbers.within", m::kLength},
 });
 
 constexpr std::string_view kOfStages = "stages[].";

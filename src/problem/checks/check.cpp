@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "base/counted.hpp"
+#include "base/sentences/sentences.hpp"
 #include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
 #include "problem/checks/magnitudes.hpp"
@@ -30,8 +30,7 @@ constexpr const char* kZeroLengthBolt = "a bolt without length has no direction 
 Warnings zero_length_lines(const Drawing& drawing) {
   Warnings warnings;
   for (const JointLine& line : drawing.joints)
-    if (is_point(line.segment))
-      warnings.push_back({"zero_length_line", line.place, "a line without length cuts nothing and is left out"});
+    if (is_point(line.segment)) warnings.push_back(warning_of({"zero_length_line:cuts_nothing"}, line.place));
   for (const BoltLine& bolt : drawing.bolts)
     if (is_point(bolt.segment)) warnings.push_back({"zero_length_bolt", bolt.place, kZeroLengthBolt});
   return warnings;
@@ -46,9 +45,8 @@ Warnings zero_length_bolts(const Blocks& blocks) {
 
 Warnings unusual_ratio(const Drawing& drawing) {
   if (drawing.edge_node_ratio > 0 && drawing.edge_node_ratio < kUsualEdgeNodeRatio) return {};
-  return {{"edge_node_ratio_unusual", drawing.place,
-           fmt::format("edge-node ratio {} is not between 0 and {}; files usually have 0.001 to 0.02",
-                       drawing.edge_node_ratio, kUsualEdgeNodeRatio)}};
+  Facts facts{{{"ratio", drawing.edge_node_ratio}, {"most", kUsualEdgeNodeRatio}}};
+  return {warning_of({"edge_node_ratio_unusual", std::move(facts)}, drawing.place)};
 }
 
 // Without an analysis, weight is to be expected.
@@ -57,8 +55,20 @@ bool has_weight(const std::optional<Analysis>& analysis) {
   return std::ranges::any_of(analysis->block_materials, [](const BlockMaterial& m) { return m.unit_weight != 0; });
 }
 
-Warnings no_fixed_points(std::size_t count, const std::optional<Analysis>& analysis, const Place& place) {
-  if (count > 0) return {};
+bool has_fixed(std::monostate) {
+  return false;
+}
+
+bool has_fixed(const Drawing& drawing) {
+  return !drawing.fixed_lines.empty();
+}
+
+template <class PointsGeometry>
+bool has_fixed(const PointsGeometry& geometry) {
+  return !geometry.fixed_points.empty();
+}
+
+Warnings no_fixed_points(const std::optional<Analysis>& analysis, const Place& place) {
   if (!has_weight(analysis))
     return {{"free_without_gravity", place, "there are no fixed points, and no gravity: the blocks are free"}};
   return {{"no_fixed_points", place, "there are no fixed points: the blocks have no support"}};
@@ -66,13 +76,10 @@ Warnings no_fixed_points(std::size_t count, const std::optional<Analysis>& analy
 
 Warnings curves_and_points(const Analysis& analysis, std::size_t loading_points, const Place& place) {
   const std::size_t curves = analysis.point_loads.size();
+  const Facts facts{{{"curves", curves}, {"loading_points", loading_points}}};
   if (curves > loading_points)
-    return {{"surplus_load_curves", analysis.point_loads[loading_points].place,
-             fmt::format("{} load curves for {} loading points; the surplus is ignored", curves, loading_points)}};
-  if (curves < loading_points)
-    return {{"loading_points_without_load", place,
-             fmt::format("{} load curves for {} loading points; points without one carry no load", curves,
-                         loading_points)}};
+    return {warning_of({"surplus_load_curves", facts}, analysis.point_loads[loading_points].place)};
+  if (curves < loading_points) return {warning_of({"loading_points_without_load", facts}, place)};
   return {};
 }
 
@@ -94,11 +101,9 @@ Warnings idle_bolts(const std::vector<B>& bolts, auto place_of) {
   const auto first = std::ranges::find_if(bolts, is_idle);
   if (first == bolts.end()) return {};
   const auto count = static_cast<std::size_t>(std::ranges::count_if(bolts, is_idle));
-  return {{"bolts_without_properties", place_of(*first),
-           fmt::format("{} of {} {} neither stiffness nor pretension and {} no force; bolts of a drawing take these "
-                       "from `bolt_properties` of the analysis",
-                       count, counted(bolts.size(), "bolt"), count == 1 ? "has" : "have",
-                       count == 1 ? "carries" : "carry")}};
+  Facts facts{{{"count", count}, {"bolts", bolts.size()}},
+              {{"have", count == 1 ? "has" : "have"}, {"carry", count == 1 ? "carries" : "carry"}}};
+  return {warning_of({"bolts_without_properties", std::move(facts)}, place_of(*first))};
 }
 
 std::vector<InputError> impossible_blocks(const Blocks& blocks) {
@@ -140,8 +145,6 @@ class Checker {
  private:
   void look_at(std::monostate) {}
 
-  bool has_other_supports() const { return checked_.problem.covers || !checked_.problem.loads.displacements.empty(); }
-
   void take_motion() {
     try {
       warn(apply_motion(*checked_.problem.analysis, *checked_.problem.motion));
@@ -155,8 +158,7 @@ class Checker {
     warn(zero_length_lines(drawing));
     drop_zero_length_lines(drawing);
     warn(unusual_ratio(drawing));
-    if (!has_other_supports())
-      warn(no_fixed_points(drawing.fixed_lines.size(), checked_.problem.analysis, drawing.place));
+    if (fixes_nothing(checked_.problem)) warn(no_fixed_points(checked_.problem.analysis, drawing.place));
     if (drawing.joints.empty())
       checked_.errors.emplace_back(drawing.place, "expected lines to cut blocks from, found none");
     if (checked_.problem.analysis) tell(clamp_materials(drawing, *checked_.problem.analysis));
@@ -171,8 +173,7 @@ class Checker {
   void look_at(Blocks& blocks) {
     warn(zero_length_bolts(blocks));
     std::erase_if(blocks.bolts, [](const BlockBolt& bolt) { return is_point(bolt.segment); });
-    if (!has_other_supports())
-      warn(no_fixed_points(blocks.fixed_points.size(), checked_.problem.analysis, blocks.place));
+    if (fixes_nothing(checked_.problem)) warn(no_fixed_points(checked_.problem.analysis, blocks.place));
     fail(crossed_outlines(blocks));
     if (!checked_.errors.empty()) return;
     fail(impossible_blocks(blocks));
@@ -187,7 +188,7 @@ class Checker {
   }
 
   void look_at(Cover& cover) {
-    warn(no_fixed_points(cover.fixed_points.size(), checked_.problem.analysis, cover.place));
+    if (!has_fixed(cover)) warn(no_fixed_points(checked_.problem.analysis, cover.place));
     fail(crossed_outlines(cover));
     if (checked_.errors.empty()) fail(impossible_elements(cover));
     if (!checked_.problem.analysis) return;
@@ -208,7 +209,7 @@ class Checker {
       if (checked_.problem.has_own_case && one.place.file.text() == checked_.problem.analysis->place.file.text())
         checked_.errors.emplace_back(one.place, one.error);
       else
-        checked_.warnings.push_back({one.name, one.place, one.warning});
+        checked_.warnings.push_back(warning_of(one.finding, one.place));
   }
 
   void drop_zero_length_lines(Drawing& drawing) {
@@ -242,10 +243,40 @@ class Checker {
   Checked checked_;
 };
 
+bool has_tension(std::monostate) {
+  return false;
+}
+
+template <class BoltsGeometry>
+bool has_tension(const BoltsGeometry& geometry) {
+  if constexpr (requires { geometry.bolts; })
+    return std::ranges::any_of(geometry.bolts, [](const auto& bolt) { return bolt.pretension != 0; });
+  return false;
+}
+
+bool acts(const TimeCurve& curve) {
+  return std::ranges::any_of(curve.values, [](const Point& value) { return value != Point{}; });
+}
+
 }  // namespace
 
 Checked check(Problem problem) {
   return Checker(std::move(problem)).check();
+}
+
+bool fixes_nothing(const Problem& problem) {
+  if (problem.covers || !problem.loads.displacements.empty()) return false;
+  return !std::visit([](const auto& geometry) { return has_fixed(geometry); }, problem.geometry);
+}
+
+bool is_unloaded(const Problem& problem) {
+  const Analysis& analysis = *problem.analysis;
+  const auto is_pushed = [](const BlockMaterial& m) { return m.is_stressed() || m.horizontal_force != 0; };
+  return !has_weight(problem.analysis) && !problem.covers && problem.loads.empty() && problem.stages.empty() &&
+         !problem.motion && !acts(analysis.body_acceleration) && std::ranges::none_of(analysis.point_loads, acts) &&
+         std::ranges::none_of(analysis.fixed_point_motions, acts) &&
+         std::ranges::none_of(analysis.block_materials, is_pushed) &&
+         !std::visit([](const auto& geometry) { return has_tension(geometry); }, problem.geometry);
 }
 
 }  // namespace keyblock

@@ -20,4 +20,10 @@ struct Checked {
 /// errors: one warning per kind and number, at its first place.
 Checked check(Problem problem);
 
+/// Returns true if the geometry has no fixed point or line, and the case no other support.
+bool fixes_nothing(const Problem& problem);
+
+/// Returns true if no weight, load, stress or pretension acts, and no stage can change that.
+bool is_unloaded(const Problem& problem);
+
 }  // namespace keyblock

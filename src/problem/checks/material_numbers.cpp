@@ -39,13 +39,15 @@ int NumberRange::operator()(int number, const Place& place) {
   return std::clamp(number, 0, last_);
 }
 
-std::vector<NumberOutOfRange> NumberRange::replaced(const std::string& name, std::string_view carriers) const {
+std::vector<NumberOutOfRange> NumberRange::replaced(const std::string& code, std::string_view carriers) const {
   std::vector<NumberOutOfRange> all;
   for (const auto& [number, met] : met_) {
     const long long written = static_cast<long long>(number) + 1;
-    all.push_back({name, met.place,
-                   fmt::format("{} {} of {} {} is outside 1 to {}; taken as {}", noun_, written, met.times, carriers,
-                               last_ + 1, std::clamp(number, 0, last_) + 1),
+    Facts facts{
+        {{"number", written}, {"count", met.times}, {"last", last_ + 1}, {"taken", std::clamp(number, 0, last_) + 1}},
+        {{"noun", noun_}, {"carriers", std::string(carriers)}}};
+    all.push_back({{code, std::move(facts)},
+                   met.place,
                    fmt::format("expected a {} from 1 to {}, found {} (of {} {})", noun_, last_ + 1, written, met.times,
                                carriers)});
   }

@@ -13,10 +13,9 @@ namespace keyblock {
 
 /// A number out of range, at the place where it is first.
 struct NumberOutOfRange {
-  std::string name;  ///< of the warning
+  Finding finding;  ///< of the warning: "joint material 3 of 14 edges is outside 1 to 1; taken as 1"
   Place place;
-  std::string warning;  ///< "joint material 3 of 14 edges is outside 1 to 1; taken as 1"
-  std::string error;    ///< "expected a joint material from 1 to 1, found 3 (of 14 edges)"
+  std::string error;  ///< "expected a joint material from 1 to 1, found 3 (of 14 edges)"
 };
 
 /// Replaces numbers out of range by the nearest, as the old programs do, and counts them.
@@ -29,7 +28,7 @@ class NumberRange {
   int operator()(int number, const Place& place);
 
   /// Returns the numbers that were replaced. `carriers`: what they are numbers of.
-  std::vector<NumberOutOfRange> replaced(const std::string& name, std::string_view carriers) const;
+  std::vector<NumberOutOfRange> replaced(const std::string& code, std::string_view carriers) const;
 
  private:
   struct Met {

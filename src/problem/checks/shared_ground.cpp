@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/counted.hpp"
+#include "base/sentences/sentences.hpp"
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/shared_area.hpp"
@@ -107,14 +107,12 @@ Warnings shared_ground(const Blocks& blocks) {
     return {{"overlaps_not_looked_for", blocks.place,
              "blocks have so many corners close to one another that not all were looked at for overlaps"}};
   if (found.pairs == 0) return {};
-  const std::string others = found.pairs == 1
-                                 ? ""
-                                 : fmt::format("; so do {}{}", found.pairs == kMostSharedPairs ? "at least " : "",
-                                               counted(static_cast<std::size_t>(found.pairs - 1), "other pair"));
-  return {{"blocks_overlap", place_of(blocks.blocks[static_cast<std::size_t>(found.second)], blocks),
-           fmt::format("block {} lies in block {} by {:.3g} % of the smaller one{}: contact drives them apart, or lets "
-                       "them be",
-                       found.second + 1, found.first + 1, 100 * found.share, others)}};
+  Facts facts{{{"percent_of_smaller", 100 * found.share}, {"pairs", found.pairs}},
+              {{"at_least", found.pairs == kMostSharedPairs ? "at least " : ""}},
+              {found.second + 1, found.first + 1}};
+  if (found.pairs > 1) facts.numbers.emplace_back("other_pairs", found.pairs - 1);
+  const Place& place = place_of(blocks.blocks[static_cast<std::size_t>(found.second)], blocks);
+  return {warning_of({"blocks_overlap", std::move(facts)}, place)};
 }
 
 std::vector<InputError> crossed_outlines(const Blocks& blocks) {

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/lines/near_ends.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "base/words/plain_number.hpp"
+#include "base/sentences/sentences.hpp"
 #include "geometry/box.hpp"
 #include "geometry/segment.hpp"
 
@@ -83,13 +81,13 @@ class Joiner {
   std::vector<NearEnd> trimmed_;
 };
 
-Warnings told(const Drawing& drawing, const char* name, const std::vector<NearEnd>& moved, const char* one,
-              const char* several) {
+Warnings told(const Drawing& drawing, const std::string& code, const std::vector<NearEnd>& moved) {
   if (moved.empty()) return {};
   const auto farthest = *std::ranges::max_element(moved, {}, &NearEnd::gap);
-  return {{name, drawing.joints[farthest.line].place,
-           fmt::format("{} {}; the farthest moved by {}, at ({}, {})", moved.size(), moved.size() == 1 ? one : several,
-                       plain(farthest.gap(), 3), plain(farthest.from.x, 6), plain(farthest.from.y, 6))}};
+  Facts facts{{{"count", moved.size()}, {"distance", farthest.gap()}}};
+  facts.points = {{farthest.from.x, farthest.from.y}};
+  const std::string form = moved.size() == 1 ? code : code + ":several";
+  return {warning_of({form, std::move(facts)}, drawing.joints[farthest.line].place)};
 }
 
 }  // namespace
@@ -170,10 +168,7 @@ Warnings join_ends(Drawing& drawing, double distance) {
   Joiner joiner(std::move(lines), drawing.boundary_count, distance);
   joiner.join();
   for (std::size_t i = 0; i < drawing.joints.size(); ++i) drawing.joints[i].segment = joiner.lines()[i];
-  return joined(told(drawing, "ends_joined", joiner.joined(), "end of a line is joined to a near line",
-                     "ends of lines are joined to near lines"),
-                told(drawing, "ends_trimmed", joiner.trimmed(), "end that passes a line is cut off at it",
-                     "ends that pass a line are cut off at it"));
+  return joined(told(drawing, "ends_joined", joiner.joined()), told(drawing, "ends_trimmed", joiner.trimmed()));
 }
 
 }  // namespace keyblock

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/counted.hpp"
+#include "base/sentences/sentences.hpp"
 #include "cut/bodies/cracks.hpp"
 #include "cut/bodies/place_points.hpp"
 #include "cut/bodies/treat_slivers.hpp"
@@ -110,9 +110,8 @@ bool is_on_outline(const BodyGraph& body, Point p, double near) {
 
 Warnings joints_removed(std::size_t pieces, const Place& place) {
   if (pieces == 0) return {};
-  return {{"dangling_lines_removed", place,
-           fmt::format("{} of joints that end inside blocks {} removed; in NMM bodies they are kept as cracks",
-                       counted(pieces, "piece"), pieces == 1 ? "is" : "are")}};
+  Facts facts{{{"count", pieces}}, {{"are", pieces == 1 ? "is" : "are"}}};
+  return {warning_of({"dangling_lines_removed:of_joints", std::move(facts)}, place)};
 }
 
 /// Turns joints that end inside blocks into cracks of NMM bodies; DDA blocks ignore them. Ends on an edge of the block

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/sentences/sentences.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
 #include "run/bodies/agreement.hpp"
@@ -67,11 +68,10 @@ void look_at_chain(const BoundaryPart& part, const Place& place, std::string_vie
   if (found.off == found.whole)
     throw InputError(place, fmt::format("expected a chain on {}, found none of it there: ({:.9g}, {:.9g}), …",
                                         edges_in_words, part.front().x, part.front().y));
-  if (found.off > kLittleOff * found.whole)
-    warnings.push_back({"chain_off_boundary", place,
-                        fmt::format("{:.6g} of the {:.6g} of this chain lies off the boundary of the bodies, first "
-                                    "from ({:.6g}, {:.6g}) on, and acts on nothing; move its points onto the outline",
-                                    found.off, found.whole, found.first.x, found.first.y)});
+  if (!(found.off > kLittleOff * found.whole)) return;
+  Facts facts{{{"off", found.off}, {"length", found.whole}}};
+  facts.points = {{found.first.x, found.first.y}};
+  warnings.push_back(warning_of({"chain_off_boundary", std::move(facts)}, place));
 }
 
 Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes) {

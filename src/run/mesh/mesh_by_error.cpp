@@ -11,8 +11,8 @@
 #include <utility>
 #include <variant>
 
-#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/sentences/sentences.hpp"
 #include "cut/mesh/fit_mesh.hpp"
 #include "cut/mesh/mesh_size.hpp"
 #include "model/continuum.hpp"
@@ -218,24 +218,17 @@ class Refinement {
   }
 
   void warn(const std::string& obstacle) {
-    if (!uncounted_.empty())
-      result_.warnings.push_back(
-          {"mesh_error_at_points", place_,
-           fmt::format("the stress has no limit at {}, the first of them ({}, {}): within {:.2g} of it, a quarter of "
-                       "the first mesh's side, errors do not count",
-                       counted(uncounted_.size(), "point") +
-                           (uncounted_.size() == 1 ? " that carries a force" : " that carry forces"),
-                       uncounted_.front().at.x, uncounted_.front().at.y, uncounted_.front().radius)});
+    if (!uncounted_.empty()) {
+      Facts facts{{{"count", uncounted_.size()}, {"radius", uncounted_.front().radius}},
+                  {{"carry", uncounted_.size() == 1 ? "carries a force" : "carry forces"}}};
+      for (const auto& point : uncounted_) facts.points.push_back({point.at.x, point.at.y});
+      result_.warnings.push_back(warning_of({"mesh_error_at_points", std::move(facts)}, place_));
+    }
     if (obstacle.empty()) return;
     const double error = result_.rounds.back().error;
+    const char* const form = error > wanted_ ? "mesh_error_not_reached" : "mesh_error_not_reached:unconfirmed";
     result_.warnings.push_back(
-        {"mesh_error_not_reached", place_,
-         error > wanted_ ? fmt::format("the stresses of the mesh are estimated to be off by {:.2g} of the energy norm, "
-                                       "more than the permitted error of {:.2g}: {}",
-                                       error, wanted_, obstacle)
-                         : fmt::format("the stresses of the mesh are estimated to be off by {:.2g} of the energy norm, "
-                                       "and no finer mesh confirms it: {}",
-                                       error, obstacle)});
+        warning_of({form, {{{"error", error}, {"permitted", wanted_}}, {{"obstacle", obstacle}}}}, place_));
   }
 
   std::variant<Estimate, TooLarge> estimate() {

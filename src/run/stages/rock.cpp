@@ -10,8 +10,8 @@
 #include <numeric>
 #include <utility>
 
-#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/sentences/sentences.hpp"
 #include "cut/bodies/block_shape.hpp"
 #include "cut/bodies/place_points.hpp"
 #include "geometry/box.hpp"
@@ -242,9 +242,8 @@ class Changing {
       descent_.bolts.push_back(-1);
     }
     if (idle_bolts == 0) return;
-    warnings_.push_back({"bolts_without_properties", stage_.bolts.front().place,
-                         fmt::format("{} of a stage have neither stiffness nor pretension and carry no force",
-                                     counted(idle_bolts, "bolt"))});
+    warnings_.push_back(
+        warning_of({"bolts_without_properties:of_stage", {{{"count", idle_bolts}}}}, stage_.bolts.front().place));
   }
 
   void release() {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/sentences/sentences.hpp"
 #include "run/settings_of.hpp"
 #include "settings/profile.hpp"
 #include "settings/settings_table.hpp"
@@ -42,15 +43,15 @@ Warnings changed_rules(const formats::Content& before, const formats::Content& a
   if (!before.analysis || !after.analysis) return warnings;
   const std::string old_profile = profile_of_run(before);
   const std::string new_profile = profile_of_run(after);
-  if (old_profile != new_profile)
-    warnings.push_back({"profile_changes", place,
-                        fmt::format("without --profile, a run takes profile {} for the written files and {} for those "
-                                    "read: --profile {} keeps to that",
-                                    new_profile, old_profile, old_profile)});
-  if (const auto changed = settings_of_dialect(*before.analysis, after.analysis->dialect); !changed.empty())
-    warnings.push_back(
-        {"dialect_changes", place,
-         fmt::format("profile legacy has other rules for the written dialect: {}", fmt::join(changed, "; "))});
+  if (old_profile != new_profile) {
+    Facts facts;
+    facts.names = {{"profile", new_profile}, {"profile_before", old_profile}};
+    warnings.push_back(warning_of({"profile_changes", std::move(facts)}, place));
+  }
+  if (const auto changed = settings_of_dialect(*before.analysis, after.analysis->dialect); !changed.empty()) {
+    const Facts facts{{{"count", changed.size()}}, {{"changed", fmt::format("{}", fmt::join(changed, "; "))}}};
+    warnings.push_back(warning_of({"dialect_changes", facts}, place));
+  }
   return warnings;
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "base/sentences/sentences.hpp"
 #include "cut/bodies/cut_blocks.hpp"
 #include "cut/bodies/place_points.hpp"
 #include "formats/dxf/dxf.hpp"
@@ -177,9 +178,8 @@ class BlocksOfCover {
         mixed.insert(*block);
     }
     if (const std::size_t count = mixed.size(); count > 0)
-      warnings_.push_back({"one_material_a_block", cover_.place,
-                           fmt::format("{} of {} blocks hold elements of several materials and take that of the first",
-                                       count, blocks_.blocks.size())});
+      warnings_.push_back(
+          warning_of({"one_material_a_block", {{{"count", count}, {"blocks", blocks_.blocks.size()}}}}, cover_.place));
   }
 
   void carry(std::string_view noun, const std::vector<CoverPoint>& from, std::vector<BlockPoint>& to) {
@@ -200,8 +200,9 @@ class BlocksOfCover {
   }
 
   void warn_outside(std::string_view noun, Point at, const Place& place) {
-    add_warning(warnings_, {"point_outside_blocks", place,
-                            fmt::format("{} ({}, {}) lies outside all blocks and is left out", noun, at.x, at.y)});
+    Facts facts{{}, {{"noun", std::string(noun)}}};
+    facts.points = {{at.x, at.y}};
+    add_warning(warnings_, warning_of({"point_outside_blocks", std::move(facts)}, place));
   }
 
   const Cover& cover_;

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/dropped_comments.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 
+#include "base/sentences/sentences.hpp"
 #include "formats/berkeley/ddaml.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 #include "formats/text/splitter.hpp"
@@ -72,9 +71,9 @@ Offsets comments_in(const formats::Format& format, std::string_view text) {
 std::optional<Warning> dropped_comments(const formats::FileReading& file) {
   const Offsets starts = comments_in(*file.choice->format, file.source.text);
   if (starts.empty()) return std::nullopt;
-  return Warning{
-      "comments_dropped", formats::TextMap(file.source.name, file.source.text).place(starts.front()),
-      fmt::format("{} {} not carried over", starts.size(), starts.size() == 1 ? "comment is" : "comments are")};
+  const Facts facts{{{"count", starts.size()}}, {{"comments", starts.size() == 1 ? "comment is" : "comments are"}}};
+  return warning_of({"comments_dropped", facts},
+                    formats::TextMap(file.source.name, file.source.text).place(starts.front()));
 }
 
 }  // namespace keyblock::study

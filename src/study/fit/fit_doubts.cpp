@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/fit/fit_doubts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "base/sentences/sentences.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -40,11 +40,9 @@ Warnings doubts_of_fit(const MeasuredPairs& measured, const Agreement& agreement
   const std::size_t neighbours = std::max(kFewNeighbours, measured.y.size() / 10);
   const double share = greatest_size(means(residuals, neighbours)) / greatest_size(measured.y);
   if (agreement.r_squared >= kLeastAgreement && share <= kOneSided) return {};
-  return {{"poor_fit",
-           {measured.file, 0, 0},
-           fmt::format("R² is {:.3g}, and {} neighbouring points lie off the fit by {:.2g} % of the greatest stress on "
-                       "average: the curve does not follow the data, and errors and intervals mean nothing",
-                       agreement.r_squared, neighbours, 100 * share)}};
+  const Facts facts{
+      {{"r_squared", agreement.r_squared}, {"neighbours", neighbours}, {"percent_of_greatest", 100 * share}}};
+  return {warning_of({"poor_fit", facts}, {measured.file, 0, 0})};
 }
 
 Warnings doubts_of_curve(const MeasuredPairs& measured) {
@@ -52,11 +50,8 @@ Warnings doubts_of_curve(const MeasuredPairs& measured) {
   const auto peak = std::ranges::max_element(stresses);
   if (peak == stresses.end() || !(stresses.back() < (1 - kFall) * *peak)) return {};
   const std::size_t at = static_cast<std::size_t>(peak - stresses.begin()) + kFewNeighbours / 2;
-  return {{"softening",
-           {measured.file, measured.lines[at], 1},
-           fmt::format("stress falls from {:.4g} at strain {:.4g} to {:.4g} at the end: the fitted law has a plateau "
-                       "and does not soften",
-                       measured.y[at], measured.x[at], measured.y.back())}};
+  const Facts facts{{{"peak", measured.y[at]}, {"strain", measured.x[at]}, {"last", measured.y.back()}}};
+  return {warning_of({"softening", facts}, {measured.file, measured.lines[at], 1})};
 }
 
 }  // namespace keyblock::study
