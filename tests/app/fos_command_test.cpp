@@ -113,6 +113,14 @@ TEST(FosCommand, a_slope_that_nothing_fixes_ends_before_any_trial) {
   EXPECT_FALSE(std::filesystem::exists(folder + "/out"));
 }
 
+// Two blocks that fly towards one another: no weight, no load, nothing fixed.
+TEST(FosCommand, blocks_without_support_and_load_end_before_any_trial) {
+  const ProgramRun run = run_keyblock({"fos", KEYBLOCK_SOURCE_DIR "/legacy_cases/two_body_impact/row_1"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_NE(run.messages.find("nothing fixes the blocks, and no load acts on them"), std::string::npos) << run.messages;
+  EXPECT_EQ(run.messages.find("F = "), std::string::npos) << run.messages;
+}
+
 // Less than a hundredth of the mean area, yet 0.29 % of the whole: its fall is that of the scene.
 TEST(FosCommand, what_is_not_small_is_not_left_out) {
   const ProgramRun run = run_keyblock({"fos", written("square", square_above_a_block(0.3)), "--from", "1", "--json"});

@@ -356,7 +356,7 @@ ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options
   if (options.plan_only) fmt::print("{}\n", text_of(json_of(chosen)));
   if (!chosen.plan.refusal.empty()) {
     spdlog::error("{}: error: {}", chosen.files.front(), chosen.plan.refusal);
-    spdlog::info("  help: add fixed points or fixed lines, such as the base and the sides of the slope");
+    spdlog::info("  help: {}", chosen.plan.help);
     return ExitCode::numerical_failure;
   }
   if (options.plan_only) return ExitCode::ok;

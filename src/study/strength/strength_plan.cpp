@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "base/error.hpp"
+#include "problem/checks/check.hpp"
 #include "run/look_ahead.hpp"
 #include "study/strength/mesh_error.hpp"
 
@@ -32,18 +32,23 @@ void require_effect(const std::vector<std::string>& exempt, Reduced what) {
   }
 }
 
-std::string refusal_of(const StrengthPlan& plan) {
-  const bool is_loose =
-      std::ranges::any_of(plan.warnings, [](const Warning& warning) { return warning.name == "no_fixed_points"; });
-  if (!is_loose || !(length(plan.trials.prepared().scene.settings.gravity) > 0)) return {};
-  return "nothing fixes the blocks, so that they fall at any strength and have no factor of safety";
+void refuse_free_blocks(StrengthPlan& plan) {
+  const Problem& problem = plan.trials.problem();
+  if (!fixes_nothing(problem)) return;
+  plan.help = "add fixed points or fixed lines, such as the base and the sides of the slope";
+  if (length(plan.trials.prepared().scene.settings.gravity) > 0) {
+    plan.refusal = "nothing fixes the blocks, so that they fall at any strength and have no factor of safety";
+  } else if (is_unloaded(problem)) {
+    plan.refusal = "nothing fixes the blocks, and no load acts on them, so that they have no factor of safety";
+    plan.help += ", and gravity or loads";
+  }
 }
 
 StrengthPlan plan_of(ReductionAsked reduction, const formats::Case& input, ConfiguredCase made) {
   StrengthPlan plan{reduction, {std::move(made), *reduction.what, exempt_of(reduction.exempt)}};
   const Prepared& prepared = plan.trials.prepared();
   plan.warnings = joined(joined(input.warnings, prepared.warnings), look_ahead(input.problem, prepared));
-  plan.refusal = refusal_of(plan);
+  refuse_free_blocks(plan);
   return plan;
 }
 

@@ -16,13 +16,14 @@ struct StrengthPlan {
   StrengthTrials trials;
   Warnings warnings = {};    ///< of reading, of the preparation, and of the checks before a run
   std::string refusal = {};  ///< reason why the case has no factor of safety; otherwise empty
+  std::string help = {};     ///< remedy
 };
 
 /// Plans the search that `given`, then `case.json`, then the defaults request. The default profile is `standard`, also
-/// for files of Shi's programs, because the search is static. A case is refused if nothing fixes its blocks under
-/// gravity: it falls at any factor. Throws UsageError for an impossible range, for an exemption of `given` without
-/// effect, and for a profile that `case.json` does not run. Throws InputError for a case that cannot be reduced;
-/// std::invalid_argument for an invalid setting.
+/// for files of Shi's programs, because the search is static. A case is refused if nothing fixes its blocks, and
+/// gravity acts, so that they fall at any factor, or no load at all. Throws UsageError for an impossible range, for an
+/// exemption of `given` without effect, and for a profile that `case.json` does not run. Throws InputError for a case
+/// that cannot be reduced; std::invalid_argument for an invalid setting.
 StrengthPlan strength_plan(const AskedCase& asked, const formats::Case& input, const ReductionAsked& given);
 
 /// Does the same for a case with another profile or other settings.
