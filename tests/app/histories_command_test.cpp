@@ -262,10 +262,8 @@ TEST(HistoriesCommand, two_items_of_one_name_are_refused_and_one_given_twice_cou
     return run_keyblock(
         {"run", folder + "/case.json", "-o", folder + "/out", "--force", "--history", "block:3", "--history", history});
   };
-  for (const auto& [history, two] :
-       std::vector<std::pair<std::string, std::string>>{{"joint:2", "block 2 and joint 2"},
-                                                        {"3=block:1", "block 3 and block 1"},
-                                                        {"2=point:0.5,2.5", "block 2 and point 0.5 2.5"}}) {
+  for (const auto& [history, two] : std::vector<std::pair<std::string, std::string>>{
+           {"3=block:1", "block 3 and block 1"}, {"2=point:0.5,2.5", "block 2 and point 0.5 2.5"}}) {
     const auto run = followed(history);
     EXPECT_EQ(run.exit_code, 3) << history;
     EXPECT_TRUE(contains(run.messages, "--history " + history + ": error: expected a name of its own for each history"))
@@ -278,6 +276,9 @@ TEST(HistoriesCommand, two_items_of_one_name_are_refused_and_one_given_twice_cou
   const std::size_t lines = lines_of(folder + "/out/histories.csv");
   EXPECT_EQ(followed("block:2").exit_code, 0);
   EXPECT_EQ(lines_of(folder + "/out/histories.csv") - 1, (lines - 1) / 3 * 2);
+  const auto apart = followed("joint:2");  // beside block 2
+  EXPECT_EQ(apart.exit_code, 0) << apart.messages;
+  EXPECT_TRUE(contains(support::read_text(folder + "/out/histories.csv"), ",joint,joint 2,"));
 }
 
 // Two stages; the second cuts the upper block in two: four blocks in all, and a fifth in neither.

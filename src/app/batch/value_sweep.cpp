@@ -153,7 +153,7 @@ void require_histories(const std::vector<study::SweepOutput>& outputs, const Out
   const auto is_of_outputs = [](const auto& item) { return item.key().starts_with("/outputs"); };
   if (plan.histories.empty() || std::ranges::any_of(row.items(), is_of_outputs)) return;
   std::vector<std::string> names;
-  for (const HistoryPlan& history : plan.histories) names.push_back(name_of(history));
+  for (const HistoryPlan& history : with_names_apart(plan.histories)) names.push_back(name_of(history));
   for (const study::SweepOutput& output : outputs)
     if (!output.history.empty() && std::ranges::find(names, output.history) == names.end())
       throw UsageError(

@@ -319,6 +319,12 @@ double size_of(const Model& model, ElementIndex e) {
   return length(box.size());
 }
 
+std::vector<HistoryPlan> with_names_of_bolts(std::vector<HistoryPlan> plans, const Scene& first) {
+  for (HistoryPlan& plan : plans)
+    if (plan.bolt && plan.name.empty()) plan.name = name_of_bolt(first, *plan.bolt);
+  return plans;
+}
+
 /// Tables and outputs tell histories apart by their names. Throws InputError if two items have one.
 void require_same_item(HistoryPlan first, HistoryPlan second, const std::string& name) {
   first.name.clear();
@@ -357,6 +363,20 @@ std::string name_of(const HistoryPlan& plan) {
   return fmt::format("{:g} {:g} to {:g} {:g}", start.x, start.y, end.x, end.y);
 }
 
+std::vector<HistoryPlan> with_names_apart(std::vector<HistoryPlan> plans) {
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    if (!plans[i].name.empty()) continue;
+    const auto is_taken_by = [&, name = name_of(plans[i])](HistoryPlan other) {
+      const bool has_name = name_of(other) == name;
+      other.name.clear();
+      return has_name && other != plans[i];
+    };
+    if (std::any_of(plans.begin(), plans.begin() + static_cast<std::ptrdiff_t>(i), is_taken_by))
+      plans[i].name = word_of(plans[i]) + " " + name_of(plans[i]);
+  }
+  return plans;
+}
+
 FollowedUnits::FollowedUnits(const Units& units)
     : length(unit_of(measures::kLength, units)),
       velocity(unit_of(measures::kVelocity, units)),
@@ -376,10 +396,8 @@ Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, co
     : units_(units) {
   const PointsByPlace points = points_by_place(first.model);
   std::map<std::string, std::size_t> by_name;
-  for (const HistoryPlan& plan : plans) {
+  for (const HistoryPlan& plan : with_names_apart(with_names_of_bolts(plans, first))) {
     One one{plan, name_of(plan)};
-    if (plan.bolt && plan.name.empty())
-      if (const std::string name = name_of_bolt(first, *plan.bolt); !name.empty()) one.name = name;
     if (one.name == kBalanceName)
       throw InputError(plan.place, fmt::format("expected another name of a history, found \"{}\", which names the "
                                                "energy balance",

@@ -31,6 +31,9 @@ inline constexpr std::string_view kBalanceName = "ledger";
 
 /// Returns the name of a history in the table: its own, or that of its item.
 std::string name_of(const HistoryPlan& plan);
+/// Gives a name with its kind, such as "joint 2", to a history without a name whose item is named like an earlier one,
+/// such as block 2.
+std::vector<HistoryPlan> with_names_apart(std::vector<HistoryPlan> plans);
 
 /// Throws InputError at the place of the plan if contacts are to be chosen by histories, and no history has contacts.
 void require_choice(const OutputPlan& plan);
