@@ -105,9 +105,9 @@ bool is_dxf(const FileReading& file) {
 /// Refuses a unit that no drawing has, and a distance below 0 or without bound. Throws UsageError.
 void check_choices(const DrawingChoices& asked) {
   const std::string fault = asked.unit.empty() ? std::string() : unless_one_of(asked.unit, dxf_unit_names());
-  if (!fault.empty()) throw UsageError("--unit: " + fault);
+  if (!fault.empty()) throw ChoiceError("unit", fault);
   if (!(std::isfinite(asked.join) && asked.join >= 0))
-    throw UsageError(fmt::format("--join: expected a number above 0, found \"{}\"", asked.join));
+    throw ChoiceError("join", fmt::format("expected a number above 0, found \"{}\"", asked.join));
 }
 
 /// Choices of the command line override those of the case file.
@@ -133,10 +133,10 @@ DrawingChoices with_choices_of(std::vector<FileReading>& files, DrawingChoices c
 void join_drawings(std::vector<FileReading>& files, double distance, const DrawingChoices& asked) {
   const auto has_drawing = [](const FileReading& file) { return file.reading && file.reading->content.drawing; };
   if (!asked.unit.empty() && std::ranges::none_of(files, is_dxf))
-    throw UsageError("--unit: expected a DXF drawing, whose unit it is, found none");
+    throw ChoiceError("unit", "expected a DXF drawing, whose unit it is, found none");
   if (asked.join > 0 && std::ranges::none_of(files, has_drawing) &&
       std::ranges::all_of(files, [](const FileReading& file) { return file.reading.has_value(); }))
-    throw UsageError("--join: expected a drawing, whose lines are joined, found none");
+    throw ChoiceError("join", "expected a drawing, whose lines are joined, found none");
   for (FileReading& file : files)
     if (has_drawing(file) && !is_dxf(file))
       file.reading->warnings =

@@ -137,7 +137,8 @@ TEST(Resume, takes_the_run_as_it_was_asked_and_nothing_else) {
     EXPECT_EQ(run_keyblock({"run", "--resume", "nowhere", option}).exit_code, 2) << option;
   const auto nowhere = run_keyblock({"run", "--resume", "nowhere"});
   EXPECT_EQ(nowhere.exit_code, 2);
-  EXPECT_NE(nowhere.messages.find("checkpoint.h5, found none; run … -o"), std::string::npos) << nowhere.messages;
+  EXPECT_NE(nowhere.messages.find("checkpoint.h5, found none; begin a new run there"), std::string::npos)
+      << nowhere.messages;
   const std::string over = support::fresh_folder("resume_over");
   support::write_text(over + "/run.json", "{}");
   EXPECT_NE(run_keyblock({"run", "--resume", over}).messages.find("the run in " + over + " has finished"),

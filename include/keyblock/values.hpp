@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -18,13 +19,15 @@ inline namespace v1 {
 struct Place {
   std::string file;
   int line = 0, column = 0;
+  std::string choice = {};  ///< of the caller, such as "histories", with the text in `file`; empty for a file
 };
 
-/// Values behind a sentence: numbers by name, numbers of blocks or elements, and points.
+/// Values behind a sentence: numbers by name, numbers of blocks or elements, points, and names by kind ("layer").
 struct Facts {
   std::vector<std::pair<std::string, double>> numbers = {};
   std::vector<int> blocks = {};
   std::vector<std::array<double, 2>> points = {};
+  std::vector<std::pair<std::string, std::string>> names = {};
 };
 
 /// Usable input that is likely a mistake, or a doubt: `code` is a stable word (`keyblock explain CODE` has the remedy).
@@ -43,9 +46,12 @@ struct KEYBLOCK_API InputError : Error {
   InputError(const std::string& what, Place at) : Error(what), place(std::move(at)) {}
   Place place;
 };
-/// An unknown setting, profile or pointer.
+/// An unknown setting, profile or pointer, or a choice that cannot be fulfilled.
 struct KEYBLOCK_API SettingError : Error {
-  using Error::Error;
+  explicit SettingError(const std::string& what, std::string of = {}, std::size_t at = 0)
+      : Error(what), choice(std::move(of)), choice_at(at) {}
+  std::string choice;         ///< that `what()` names, such as "histories"; empty without one
+  std::size_t choice_at = 0;  ///< where in `what()`
 };
 /// Thrown by what `Context::stop` ends before it has a result.
 struct KEYBLOCK_API Stopped : Error {

@@ -56,8 +56,24 @@ def checked(name: str, value: Any, is_whole: bool = False) -> Any:
 
 
 def texts(given: str | Iterable[str]) -> list[str]:
-    """Returns a list of texts; one text is a list of one."""
-    return [given] if isinstance(given, str) else list(given)
+    """Returns the histories as a list of texts; one text is a list of one. Raises TypeError."""
+    wrong = "history: expected a text, such as 'block:4', or a list of texts, found {!r}"
+    if isinstance(given, str):
+        return [given]
+    if not isinstance(given, Iterable):
+        raise TypeError(wrong.format(given))
+    found = list(given)
+    for one in found:
+        if not isinstance(one, str):
+            raise TypeError(wrong.format(one))
+    return found
+
+
+def called(name: str, given: Any) -> Any:
+    """Returns a function, or None. Raises TypeError."""
+    if given is not None and not callable(given):
+        raise TypeError(f"{name}: expected a function, found {given!r}")
+    return given
 
 
 def encoded(path: StrPath) -> bytes:

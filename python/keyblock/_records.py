@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping
 
 from . import _keyblock
-from ._cases import Case, Context, StrPath, checked, encoded, read, setting_pairs, texts
+from ._cases import Case, Context, StrPath, called, checked, encoded, read, setting_pairs, texts
 from ._program import number_of
 
 
@@ -106,6 +106,8 @@ def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, se
     checked("every", every, is_whole=True)
     checked("checkpoint_every", checkpoint_every)
     history = texts(history)
+    called("on_step", on_step)
+    called("until", until)
     case = case if isinstance(case, Case) else read(case)
     choices, context = (profile or "", setting_pairs(settings)), context or Context()
     if until is not None or on_step is not None:
@@ -144,7 +146,7 @@ def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = No
     nothing to resume.
     """
     context = context or Context()
-    if until is not None or on_step is not None:
+    if called("until", until) is not None or called("on_step", on_step) is not None:
         from ._runs import resumed
         return _watched(until, on_step, folder, lambda: resumed(folder, context))
     return _results(folder, _keyblock.resume(encoded(folder), context).end)

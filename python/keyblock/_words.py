@@ -1,4 +1,4 @@
-"""Messages of the program and the library with arguments of Python instead of options of the command line.
+"""Messages of the program with arguments of Python instead of options of the command line.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -9,8 +9,6 @@ from typing import Iterable
 
 _NAMES = {"design": "over", "set": "settings", "force": "force=True"}
 _PHRASES = (
-    (r"--resume that one", "resume that one"),
-    (r"run … -o \S+ --force begins a run there", "record begins a run there"),
     (r"--set ([a-z_.]+)=([\w.]+)", r'settings={"\1": "\2"}'),
 )
 
@@ -30,4 +28,4 @@ def in_arguments(message: str, lacks: Iterable[str] = ()) -> str:
         message = re.sub(rf",? or --{option}\b[^;,]*", "", message)
     for phrase, words in _PHRASES:
         message = re.sub(phrase, words, message)
-    return re.sub(r"`keyblock [^`]*`|(?<![\w-])--([a-z]+(?:-[a-z]+)*)(:| (?=\d|\S+(?:: error: |$))|)", argument, message)
+    return re.sub(r"`keyblock [^`]*`|(?<![\w-])--([a-z]+(?:-[a-z]+)*)(:| (?=\d)|)", argument, message)

@@ -307,23 +307,30 @@ py::str text_of(const std::string& text) {
   return py::reinterpret_steal<py::str>(made);
 }
 
-/// Returns a message with arguments of Python instead of options of the command line.
-py::str in_arguments(const std::string& message) {
-  if (message.find("--") == std::string::npos) return text_of(message);
-  return py::module_::import("keyblock._words").attr("in_arguments")(text_of(message));
+/// Returns the argument of Python for a choice of the library.
+std::string argument_of(const std::string& choice) {
+  return choice == "histories" ? "history" : choice == "Recording::overwrite" ? "force=True" : choice;
 }
 
 void raise_error(PyObject* type, const std::exception& error) {
-  PyErr_SetObject(type, in_arguments(error.what()).ptr());
+  PyErr_SetObject(type, text_of(error.what()).ptr());
+}
+
+void raise_setting_error(const kb::SettingError& error) {
+  std::string message = error.what();
+  if (!error.choice.empty()) message.replace(error.choice_at, error.choice.size(), argument_of(error.choice));
+  PyErr_SetObject(setting_error_type, text_of(message).ptr());
 }
 
 void raise_input_error(const kb::InputError& error) {
   const py::object type = py::reinterpret_borrow<py::object>(input_error_type);
-  const std::string message = error.what(), &file = error.place.file;
-  const bool begins_with_file = !file.starts_with("--") && message.starts_with(file);  // which is no option
-  const std::size_t length = begins_with_file ? file.size() : 0;
-  const py::object raised = type(text_of(message.substr(0, length)) + in_arguments(message.substr(length)));
-  raised.attr("file") = file.starts_with("--") ? in_arguments(file) : text_of(file);
+  std::string message = error.what(), file = error.place.file;
+  if (const std::string& choice = error.place.choice; !choice.empty()) {
+    message.replace(0, choice.size() + 1, argument_of(choice) + "=");
+    file = argument_of(choice) + "=" + file;
+  }
+  const py::object raised = type(text_of(message));
+  raised.attr("file") = text_of(file);
   raised.attr("line") = error.place.line;
   raised.attr("column") = error.place.column;
   PyErr_SetObject(input_error_type, raised.ptr());
@@ -344,7 +351,7 @@ void bind_errors(py::module_& m) {
     } catch (const kb::InputError& error) {
       raise_input_error(error);
     } catch (const kb::SettingError& error) {
-      raise_error(setting_error_type, error);
+      raise_setting_error(error);
     } catch (const kb::Stopped& error) {
       raise_error(stopped_type, error);
     } catch (const kb::Error& error) {
@@ -372,8 +379,10 @@ auto pickled(Members T::*... members) {
 }
 
 void bind_parts_of_values(py::module_& m) {
-  py::class_<kb::Place>(m, "_Place").def(pickled(&kb::Place::file, &kb::Place::line, &kb::Place::column));
-  py::class_<kb::Facts>(m, "_Facts").def(pickled(&kb::Facts::numbers, &kb::Facts::blocks, &kb::Facts::points));
+  py::class_<kb::Place>(m, "_Place")
+      .def(pickled(&kb::Place::file, &kb::Place::line, &kb::Place::column, &kb::Place::choice));
+  py::class_<kb::Facts>(m, "_Facts")
+      .def(pickled(&kb::Facts::numbers, &kb::Facts::blocks, &kb::Facts::points, &kb::Facts::names));
   py::enum_<kb::End>(m, "_End")
       .value("running", kb::End::running)
       .value("finished", kb::End::finished)
@@ -394,6 +403,9 @@ void bind_values(py::module_& m) {
           "blocks", [](const kb::Warning& w) { return w.facts.blocks; }, "Blocks or elements, from 1.")
       .def_property_readonly(
           "points", [](const kb::Warning& w) { return w.facts.points; }, "Points of the sentence, x and y [length].")
+      .def_property_readonly(
+          "names", [](const kb::Warning& w) { return w.facts.names; },
+          "Names in the sentence: list of (kind, name), such as (\"layer\", \"Bedding\").")
       .def_property_readonly(
           "file", [](const kb::Warning& w) { return text_of(w.place.file); }, "File; empty without one.")
       .def_property_readonly(

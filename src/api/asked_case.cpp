@@ -25,6 +25,8 @@ std::string completed(const std::string& path) {
 }
 
 void put_files(AskedCase& asked, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths)
+    if (path.empty()) throw InputError({"\"\""}, "expected the name of a file or a folder, found an empty one");
   if (paths.size() != 1 || !fs::is_directory(located(paths.front()))) {
     asked.files = paths.size() == 1 ? std::vector{completed(paths.front())} : paths;
     if (!paths.empty()) asked.name = fs::path(paths.front()).stem().string();

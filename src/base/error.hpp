@@ -12,22 +12,38 @@
 
 namespace keyblock {
 
-/// Name of a file, stored once for all places in it: a problem has one for every line of its drawing.
+/// Name of a file, stored once for all places in it: a problem has one for every line of its drawing. It may also name
+/// a choice of the caller, such as `--history`, with its value.
 class FileName {
  public:
   FileName() = default;
-  FileName(std::string text) : text_(std::make_shared<const std::string>(std::move(text))) {}
+  FileName(std::string text) : kept_(std::make_shared<const Kept>(Kept{std::move(text), {}})) {}
   FileName(const char* text) : FileName(std::string(text)) {}
-
-  const std::string& text() const {
-    static const std::string kNone;
-    return text_ ? *text_ : kNone;
+  /// `choice`: as an option of the command, without dashes.
+  static FileName of_choice(const std::string& choice, const std::string& value) {
+    FileName name;
+    name.kept_ = std::make_shared<const Kept>(Kept{"--" + choice + " " + value, choice});
+    return name;
   }
+
+  const std::string& text() const { return kept().text; }
   operator const std::string&() const { return text(); }
-  friend bool operator==(const FileName& a, const FileName& b) { return a.text_ == b.text_ || a.text() == b.text(); }
+  /// Returns the choice; empty for a file.
+  const std::string& choice() const { return kept().choice; }
+  /// Returns the value of a choice.
+  std::string value() const { return choice().empty() ? std::string() : text().substr(choice().size() + 3); }
+  friend bool operator==(const FileName& a, const FileName& b) { return a.kept_ == b.kept_ || a.text() == b.text(); }
 
  private:
-  std::shared_ptr<const std::string> text_;
+  struct Kept {
+    std::string text, choice;
+  };
+  const Kept& kept() const {
+    static const Kept kNone;
+    return kept_ ? *kept_ : kNone;
+  }
+
+  std::shared_ptr<const Kept> kept_;
 };
 
 /// Place in a text file; line and column count from 1, 0 means "the file as a whole".
@@ -86,6 +102,27 @@ std::string to_string(const Warning& warning);
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// Choice of the caller that cannot be fulfilled, or that would help. Each front (command, library, Python) has its own
+/// word for the choice; `what()` has that of the command.
+class ChoiceError : public UsageError {
+ public:
+  /// `choice`: as an option of the command, without dashes. The message is `before`, the word, `after`.
+  ChoiceError(std::string choice, std::string before, std::string after)
+      : UsageError(before + "--" + choice + after),
+        choice_(std::move(choice)),
+        before_(std::move(before)),
+        after_(std::move(after)) {}
+  /// Message "--choice: sentence".
+  ChoiceError(std::string choice, const std::string& sentence) : ChoiceError(std::move(choice), {}, ": " + sentence) {}
+
+  const std::string& choice() const { return choice_; }
+  const std::string& before() const { return before_; }
+  const std::string& after() const { return after_; }
+
+ private:
+  std::string choice_, before_, after_;
 };
 
 /// Results that cannot be written, to a full disk or to a folder removed during the run; exit code 4.

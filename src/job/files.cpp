@@ -142,7 +142,7 @@ class Draft {
 
 void require_free(const fs::path& file, Overwrite overwrite) {
   if (overwrite == Overwrite::no && is_taken(file))
-    throw UsageError(fmt::format("{} exists; give another name, or --force to overwrite it", file.string()));
+    throw ChoiceError("force", file.string() + " exists; give another name, or ", " to overwrite it");
 }
 
 void require_writable(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs, Overwrite overwrite) {

@@ -30,7 +30,7 @@ std::optional<StopCriterion> criterion_of(const std::string& text, const Units& 
   try {
     return stop_criterion_of(text, units);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(fmt::format("--stop-when: {}", error.what()));
+    throw ChoiceError("stop-when", error.what());
   }
 }
 
@@ -114,6 +114,7 @@ nlohmann::ordered_json origin_json(const Units& units, const std::vector<formats
 
 RecordedRun::Beginning RecordedRun::saved_in(const std::string& folder, std::optional<double> checkpoint_every) {
   Beginning beginning;
+  if (folder.empty()) throw ChoiceError("resume", "expected the name of a folder, found an empty one");
   const std::string whole = fs::absolute(folder).string();
   beginning.checkpoint = std::make_unique<Archive>(read_checkpoint(checkpoint_in(whole)));
   Archive& saved = *beginning.checkpoint;

@@ -89,8 +89,7 @@ Archive read_checkpoint(const fs::path& file) {
     throw UsageError(
         fmt::format("nothing to resume: the run in {} has finished (run.json)", file.parent_path().string()));
   if (!stream)
-    throw UsageError(fmt::format("nothing to resume: expected {}, found none; run … -o {} --force begins a run there",
-                                 file.string(), file.parent_path().string()));
+    throw UsageError(fmt::format("nothing to resume: expected {}, found none; begin a new run there", file.string()));
   return archive_of_checkpoint(file.string(), {std::istreambuf_iterator<char>(stream), {}});
 }
 
@@ -103,7 +102,7 @@ void require_own(const fs::path& checkpoint, const RunRequest& saved) {
   throw InputError(
       {checkpoint.string(), 0, 0},
       fmt::format(
-          "expected the checkpoint of the run in {}, found that of a run in {}, which still exists; --resume that one",
+          "expected the checkpoint of the run in {}, found that of a run in {}, which still exists; resume that one",
           folder.string(), saved.folder));
 }
 

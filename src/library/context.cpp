@@ -1,10 +1,34 @@
-// Implements the public Context by that of the program.
+// Implements the public Context by that of the program, and names choices in errors.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <string>
+#include <string_view>
+
 #include "base/bytes/build_id.hpp"
 #include "base/bytes/source_facts.hpp"
 #include "library/parts.hpp"
 
 namespace keyblock::api {
+
+std::string word_of_choice(const std::string& option) {
+  constexpr std::array<std::array<std::string_view, 2>, 4> kWords{
+      {{"force", "Recording::overwrite"}, {"history", "histories"}, {"output", "folder"}, {"resume", "folder"}}};
+  for (const auto& [known, word] : kWords)
+    if (option == known) return std::string(word);
+  return option;
+}
+
+InputError public_error(const keyblock::InputError& error) {
+  const Place place = place_of(error.place());
+  return InputError(
+      place.choice.empty() ? error.what() : place.choice + " " + place.file + ": error: " + error.sentence(), place);
+}
+
+SettingError public_error(const ChoiceError& error) {
+  const std::string word = word_of_choice(error.choice());
+  return SettingError(error.before() + word + error.after(), word, error.before().size());
+}
+
 inline namespace v1 {
 
 Context::Context(int threads) : state_(std::make_shared<State>()) {

@@ -79,12 +79,20 @@ struct Frame::Data {
 
 }  // namespace v1
 
+/// Returns the word of the library for a choice: a member of `Drawing`, `Choices` or `Recording`, or an argument.
+std::string word_of_choice(const std::string& option);
+
 inline Place place_of(const keyblock::Place& place) {
-  return {place.file.text(), place.line, place.column};
+  if (place.file.choice().empty()) return {place.file.text(), place.line, place.column};
+  return {place.file.value(), place.line, place.column, word_of_choice(place.file.choice())};
 }
 
+/// Returns the error with the words of the library.
+InputError public_error(const keyblock::InputError& error);
+SettingError public_error(const ChoiceError& error);
+
 inline Facts public_facts(const keyblock::Facts& facts) {
-  return {facts.numbers, facts.elements, facts.points};
+  return {facts.numbers, facts.elements, facts.points, facts.names};
 }
 
 inline std::vector<Warning> public_warnings(const Warnings& warnings) {
@@ -128,7 +136,9 @@ auto guarded(const Work& work) {
   } catch (const ThrownByCaller& thrown) {
     std::rethrow_exception(thrown.error);
   } catch (const keyblock::InputError& error) {
-    throw InputError(error.what(), place_of(error.place()));
+    throw public_error(error);
+  } catch (const ChoiceError& error) {
+    throw public_error(error);
   } catch (const UsageError& error) {
     throw SettingError(error.what());
   } catch (const std::invalid_argument& error) {

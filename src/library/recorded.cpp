@@ -49,9 +49,10 @@ struct FolderRun : Run::State {
 };
 
 RecordingOptions options_of(const std::string& folder, const Recording& how) {
-  if (how.every < 0) throw SettingError(fmt::format("expected every: at least 0, found {}", how.every));
+  if (folder.empty()) throw ChoiceError("output", "expected the name of a folder, found an empty one");
+  if (how.every < 0) throw ChoiceError("every", fmt::format("expected at least 0, found {}", how.every));
   if (!(how.checkpoint_every >= 0))
-    throw SettingError(fmt::format("expected checkpoint_every: seconds, at least 0, found {}", how.checkpoint_every));
+    throw ChoiceError("checkpoint_every", fmt::format("expected at least 0 seconds, found {}", how.checkpoint_every));
   return {std::filesystem::absolute(folder).string(),  // the caller may change the working folder
           how.overwrite ? Overwrite::yes : Overwrite::no,
           Trace::no,

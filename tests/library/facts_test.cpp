@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 
+#include "api/case_folder.hpp"
 #include "tests/library/example_cases.hpp"
 
 namespace keyblock::api_test {
@@ -46,7 +48,7 @@ TEST(FactsOfWarnings, blocks_that_nothing_holds) {
   EXPECT_EQ(number(facts, "count"), 3);
   EXPECT_EQ(number(facts, "blocks"), 3);
   EXPECT_NEAR(number(facts, "area"), 4, 1e-9) << "the floor, 4 by 1";
-  EXPECT_NEAR(number(facts, "percent"), 100 * 4 / (5.0 / 3), 1e-9);
+  EXPECT_NEAR(number(facts, "percent_of_mean"), 100 * 4 / (5.0 / 3), 1e-9);
   ASSERT_EQ(facts.points.size(), 1U);
   EXPECT_NEAR(facts.points.front()[0], 1, 1e-9);
   EXPECT_NEAR(facts.points.front()[1], -0.5, 1e-9);
@@ -104,6 +106,59 @@ TEST(FactsOfWarnings, histories_of_blocks_that_are_far_apart) {
     EXPECT_EQ(facts.blocks, (std::vector<int>{2, 7})) << code;
     EXPECT_NEAR(number(facts, "apart"), 4, 1e-9) << code;
   }
+}
+
+TEST(FactsOfWarnings, lines_that_are_drawn_twice_and_defaults) {
+  const kb::Case square = case_of(R"({"keyblock": 2, "drawing": {"edge_node_ratio": 0.001, "boundary_count": 4,
+  "joints": [[0, 0, 2, 0, 1], [2, 0, 2, 2, 1], [2, 2, 0, 2, 1], [0, 2, 0, 0, 1], [2, 2, 2, 0, 1], [1, 0, 3, 0, 1]],
+  "fixed_lines": [[0.5, 0.5, 0.5, 0.5]]},
+ "analysis": {"step_count": 1, "time_step": 0.01,
+  "block_materials": [{"density": 2500, "youngs_modulus": 1e9, "poissons_ratio": 0.2}],
+  "joint_materials": [{"friction_angle_deg": 30}]}})");
+  const std::vector<kb::Warning> warnings = kb::Plan(square).warnings();
+  kb::Facts facts = facts_of(warnings, "duplicate_line");
+  EXPECT_EQ(number(facts, "line"), 5);
+  EXPECT_EQ(number(facts, "count"), 1);
+  facts = facts_of(warnings, "overlapping_lines");
+  EXPECT_EQ(number(facts, "line"), 6);
+  EXPECT_EQ(number(facts, "other_line"), 1);
+  ASSERT_EQ(facts.points.size(), 1U);
+  EXPECT_EQ(facts.points.front()[1], 0);
+  EXPECT_NEAR(number(facts_of(warnings, "defaults_taken"), "gravity"), 9.81, 1e-12);
+}
+
+TEST(FactsOfWarnings, names_of_settings_and_layers) {
+  const kb::Facts setting =
+      facts_of(kb::Plan(wall(1, 1), {"", {{"cover_functions", "constant"}}}).warnings(), "setting_without_effect");
+  using Names = std::vector<std::pair<std::string, std::string>>;
+  EXPECT_EQ(setting.names, (Names{{"setting", "cover_functions"}}));
+  const std::string docs = std::string(KEYBLOCK_SOURCE_DIR) + "/docs/";
+  const kb::Case quarry = kb::Case::read({docs + "quarry.dxf", docs + "bench.json"}, {});
+  std::vector<std::string> layers;
+  for (const kb::Warning& warning : quarry.warnings())
+    if (warning.code == "dxf_layer_as_joints") {
+      EXPECT_EQ(warning.facts.names.front().first, "layer");
+      EXPECT_GE(number(warning.facts, "joint_material"), 1);
+      layers.push_back(warning.facts.names.front().second);
+    }
+  EXPECT_NE(std::ranges::find(layers, "Bedding"), layers.end());
+}
+
+// A sentence with a number that no value stands behind would have to be read by programs.
+TEST(FactsOfWarnings, whatever_has_a_number_has_values) {
+  int with_values = 0;
+  const std::vector<CaseFolder> cases = find_cases({std::string(KEYBLOCK_SOURCE_DIR) + "/legacy_cases"});
+  for (std::size_t i = 0; i < cases.size(); i += 5) {
+    const kb::Plan plan(kb::Case::read({cases[i].folder.string()}));
+    for (const kb::Warning& warning : plan.warnings()) {
+      if (std::ranges::none_of(warning.sentence, [](unsigned char c) { return std::isdigit(c) != 0; })) continue;
+      const kb::Facts& facts = warning.facts;
+      EXPECT_FALSE(facts.numbers.empty() && facts.blocks.empty() && facts.points.empty() && facts.names.empty())
+          << cases[i].folder << ": " << warning.code << ": " << warning.sentence;
+      ++with_values;
+    }
+  }
+  EXPECT_GT(with_values, 15);
 }
 
 }  // namespace keyblock::api_test

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <functional>
 #include <keyblock/keyblock.hpp>
+#include <keyblock/record.hpp>
 #include <keyblock/studies.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -13,6 +16,7 @@
 
 #include "tests/library/example_cases.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
 
 namespace keyblock::api_test {
 namespace {
@@ -128,22 +132,62 @@ TEST(Api, errors_name_their_place) {
   EXPECT_THROW(kb::Case::read({}), kb::SettingError);
 }
 
-TEST(Api, units_and_distances_that_no_drawing_has_are_refused_as_by_the_program) {
+TEST(Api, units_and_distances_that_no_drawing_has_are_refused) {
   const std::string docs = std::string(KEYBLOCK_SOURCE_DIR) + "/docs/";
   const auto refusal = [&](const kb::Drawing& drawing) {
     try {
       kb::Case::read({docs + "quarry.dxf", docs + "bench.json", docs + "quarry_layers.csv"}, drawing);
     } catch (const kb::SettingError& error) {
+      EXPECT_EQ(std::string(error.what()).substr(error.choice_at, error.choice.size()), error.choice);
       return std::string(error.what());
     }
     return std::string();
   };
   EXPECT_EQ(refusal({"mm", 0.001}), "");
-  EXPECT_EQ(refusal({"furlong", 0}), "--unit: expected one of in, ft, mm, cm, m, km, yd, dm, found \"furlong\"");
-  EXPECT_EQ(refusal({"MM", 0}).substr(0, 20), "--unit: expected one");
-  EXPECT_EQ(refusal({"", -1}), "--join: expected a number above 0, found \"-1\"");
+  EXPECT_EQ(refusal({"furlong", 0}), "unit: expected one of in, ft, mm, cm, m, km, yd, dm, found \"furlong\"");
+  EXPECT_EQ(refusal({"MM", 0}).substr(0, 18), "unit: expected one");
+  EXPECT_EQ(refusal({"", -1}), "join: expected a number above 0, found \"-1\"");
   EXPECT_NE(refusal({"", std::nan("")}), "");
   EXPECT_NE(refusal({"", INFINITY}), "");
+}
+
+// The word of the library, not that of the command.
+TEST(Api, an_error_names_the_choice_of_its_caller) {
+  const auto refusal = [](const std::function<void()>& work) {
+    try {
+      work();
+    } catch (const kb::SettingError& error) {
+      return std::pair(error.choice, std::string(error.what()));
+    } catch (const kb::InputError& error) {
+      return std::pair(error.place.choice, std::string(error.what()));
+    }
+    return std::pair<std::string, std::string>();
+  };
+  using Pair = std::pair<std::string, std::string>;
+  const std::string folder = support::fresh_folder("api_choices"), out = folder + "/out";
+  const auto record = [&](const kb::Recording& how) { kb::record(slide(), out, how, {"", {{"steps", "2"}}, {}}); };
+  EXPECT_EQ(refusal([&] { record({.contacts = "some"}); }),
+            Pair("contacts",
+                 "contacts: expected automatic, all, chosen, none, or the number of frames from one to the "
+                 "next; found \"some\""));
+  EXPECT_EQ(refusal([&] { record({.histories = {"blok:1"}}); }).first, "histories");
+  const Pair missing = refusal([&] { record({.histories = {"block:7"}}); });
+  EXPECT_EQ(missing.first, "histories");
+  EXPECT_TRUE(missing.second.starts_with("histories block:7: error: expected the number of a block")) << missing.second;
+  EXPECT_EQ(refusal([&] { record({.every = -1}); }), Pair("every", "every: expected at least 0, found -1"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+  record({});
+  const Pair taken = refusal([&] { record({}); });
+  EXPECT_EQ(taken.first, "Recording::overwrite");
+  EXPECT_TRUE(taken.second.ends_with("exists; give another name, or Recording::overwrite to overwrite it"))
+      << taken.second;
+  const Pair none("folder", "folder: expected the name of a folder, found an empty one");
+  EXPECT_EQ(refusal([&] { kb::record(slide(), ""); }), none);
+  EXPECT_EQ(refusal([&] { kb::recorded(slide(), ""); }), none);
+  EXPECT_EQ(refusal([&] { kb::resume(""); }), none);
+  EXPECT_EQ(refusal([&] { kb::resumed(""); }), none);
+  EXPECT_EQ(refusal([&] { kb::Case::read({""}); }),
+            Pair("", "\"\": error: expected the name of a file or a folder, found an empty one"));
 }
 
 // A block on a plane steeper than its friction has no equilibrium.

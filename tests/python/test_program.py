@@ -338,12 +338,11 @@ class Program(Folder):
         said = kb._words.in_arguments
         self.assertEqual(said("expected --over or --design, found a--b; --time-limit: 3"),
                          "expected over= or over=, found a--b; time_limit: 3")
-        self.assertEqual(said("--history block:7: error: expected; --history: 3"), "history=block:7: error: expected; history: 3")
+        self.assertEqual(said("--history: expected 3"), "history: expected 3")
         self.assertEqual(said("a exists; give another name, or --force to overwrite it"),
                          "a exists; give another name, or force=True to overwrite it")
         self.assertEqual(said("a lacks b; give another folder, or --force to replace it", ["force"]),
                          "a lacks b; give another folder")
-        self.assertEqual(said("found none; run … -o out --force begins a run there"), "found none; record begins a run there")
         self.assertEqual(said("(`keyblock run --settings` lists them); --join 0.003 closes it"),
                          "(`keyblock run --settings` lists them); join=0.003 closes it")
         self.assertEqual(said("try --set slivers=glue"), 'try settings={"slivers": "glue"}')
@@ -366,8 +365,26 @@ class Program(Folder):
         kb.record("block.json", "out", settings={"steps": 2}, pictures=False)
         with self.assertRaisesRegex(kb.Error, "out.* or force=True to overwrite"):
             kb.record("block.json", "out")
-        with self.assertRaisesRegex(kb.Error, "; record begins a run there$"):
+        with self.assertRaisesRegex(kb.SettingError, "found none; begin a new run there$"):
             kb.resume(self.folder)
+
+    def test_wrong_arguments_are_named_before_anything_is_written(self):
+        kb.new("block", "block.json")
+        with self.assertRaisesRegex(TypeError, "^on_step: expected a function, found 5$"):
+            kb.record("block.json", "out", on_step=5)
+        with self.assertRaisesRegex(TypeError, "^history: expected a text, .*, found 3$"):
+            kb.record("block.json", "out", history=[3])
+        with self.assertRaisesRegex(TypeError, "^history: expected a text, .*, found 3$"):
+            kb.Run("block.json", history=3)
+        with self.assertRaisesRegex(kb.SettingError, "^contacts: expected automatic, .* found \"some\"$"):
+            kb.record("block.json", "out", contacts="some")
+        with self.assertRaisesRegex(kb.SettingError, "^folder: expected the name of a folder, found an empty one$"):
+            kb.record("block.json", "")
+        with self.assertRaisesRegex(kb.SettingError, "^folder: expected the name of a folder, found an empty one$"):
+            kb.resume("")
+        with self.assertRaisesRegex(kb.InputError, '^"": error: expected the name of a file or a folder'):
+            kb.read("")
+        self.assertFalse(Path("out").exists())
 
     def test_names_and_texts_are_utf8_whatever_the_locale(self):
         script = ("import keyblock as kb, os, sys\n"

@@ -52,7 +52,7 @@ void GrowingTable::describe(Archive& archive) {
   const auto refuse = [&](const std::string& found) {
     throw InputError({file_.string()},
                      fmt::format("expected the first {} bytes as the run wrote them, found {}; put the "
-                                 "file back, or begin the run again with --force",
+                                 "file back, or begin the run again",
                                  size_, found));
   };
   if (!std::filesystem::is_regular_file(file_)) refuse("no such file");

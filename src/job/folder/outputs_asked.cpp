@@ -18,14 +18,14 @@ OutputPlan outputs_asked(OutputPlan plan, const OutputOptions& options) {
   try {
     for (const std::string& text : options.histories) {
       plan.histories.push_back(history_of(text));
-      plan.histories.back().place = {"--history " + text};
+      plan.histories.back().place = {FileName::of_choice("history", text)};
     }
   } catch (const std::invalid_argument& error) {
-    throw UsageError(fmt::format("--history: {}", error.what()));
+    throw ChoiceError("history", error.what());
   }
   if (options.contacts.empty()) return plan;
   plan.contacts_every = 1;
-  plan.place = {"--contacts " + options.contacts};
+  plan.place = {FileName::of_choice("contacts", options.contacts)};
   constexpr std::array<std::pair<const char*, ContactTables>, 4> kWords{{{"automatic", ContactTables::automatic},
                                                                          {"all", ContactTables::all},
                                                                          {"chosen", ContactTables::chosen},
@@ -38,9 +38,9 @@ OutputPlan outputs_asked(OutputPlan plan, const OutputOptions& options) {
   const char* end = options.contacts.data() + options.contacts.size();
   const auto [stop, error] = std::from_chars(options.contacts.data(), end, plan.contacts_every);
   if (error != std::errc{} || stop != end || plan.contacts_every < 1)
-    throw UsageError(fmt::format(
-        "--contacts: expected automatic, all, chosen, none, or the number of frames from one to the next; found \"{}\"",
-        options.contacts));
+    throw ChoiceError("contacts", fmt::format("expected automatic, all, chosen, none, or the number of frames from one "
+                                              "to the next; found \"{}\"",
+                                              options.contacts));
   plan.contacts = ContactTables::all;
   return plan;
 }

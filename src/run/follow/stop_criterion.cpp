@@ -87,7 +87,7 @@ std::string StopCriterion::met_by(const std::vector<FollowedValue>& values) cons
   }
   if (!value)
     throw InputError(
-        {"--stop-when " + words},
+        {FileName::of_choice("stop-when", words)},
         fmt::format("expected a quantity of a history, found {}.{}; there are {}", history, quantity,
                     there.empty() ? std::string("none, add --history") : fmt::format("{}", fmt::join(there, ", "))));
   if (is_above ? *value <= limit : *value >= limit) return {};
