@@ -172,6 +172,24 @@ class Separation {
   Separated result_;
 };
 
+// Returns true if what was gained since the meeting is more than the rebound: the surfaces have met again. `at_end`:
+// approach speed at the end of the step.
+bool stays(const ImpactMeeting& meeting, double at_end, double restitution) {
+  return restitution * (at_end - meeting.gained) < meeting.gained;
+}
+
+// Sets the times in which impulses act. Surfaces that stay together take the speed at the meeting during all of it, and
+// evenly what they gained since.
+void put_times_of_staying(const StandardScene& scene, const Eigen::VectorXd& before,
+                          std::vector<ImpactMeeting>& meetings) {
+  for (std::size_t i = 0; i < meetings.size(); ++i) {
+    ImpactMeeting& meeting = meetings[i];
+    const double at_end = -before[static_cast<Eigen::Index>(2 * i)];
+    if (at_end > meeting.gained && stays(meeting, at_end, restitution_of(scene.settings, meeting.touch.joint_material)))
+      meeting.since *= 1 - meeting.gained / (2 * at_end);
+  }
+}
+
 // Approach speed at the meeting times one plus restitution, or without it.
 enum class Rebound { none, by_restitution };
 
@@ -188,11 +206,9 @@ FrictionalProblem problem_of_jump(const StandardScene& scene, const UnknownsTabl
   double greatest = 0;
   for (std::size_t i = 0; i < meetings.size(); ++i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
-    const double at_end = -problem.b[n];
-    const double approach = at_end - meetings[i].gained;
     const double restitution = rebound == Rebound::none ? 0 : restitution_of(scene.settings, touches[i].joint_material);
-    // A rebound slower than what was gained since has met the surface again.
-    if (approach > 0) problem.b[n] = -std::max((1 + restitution) * approach, at_end);
+    const double approach = -problem.b[n] - meetings[i].gained;
+    if (approach > 0 && !stays(meetings[i], -problem.b[n], restitution)) problem.b[n] = -(1 + restitution) * approach;
     greatest = std::max(greatest, approach / problem.w.diagonal()[n]);
   }
   for (std::size_t i = meetings.size(); i < touches.size(); ++i) {
@@ -251,7 +267,9 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
     take_gain(
         {scene, touches, rows, before, flexibility}, [&] { return impulses_of(Rebound::none); }, solution);
   const UnknownsTable changed = answer(rows, flexibility, solution.forces);
-  Jump jump{plus(q, 1, shift_since(scene, meetings, rows, flexibility, solution.forces, changed)),
+  std::vector<ImpactMeeting> acting = meetings;
+  put_times_of_staying(scene, before, acting);
+  Jump jump{plus(q, 1, shift_since(scene, acting, rows, flexibility, solution.forces, changed)),
             plus(v, 1, changed),
             0,
             0,
