@@ -36,8 +36,10 @@ Point turned_by_degrees(Point p, double degrees) {
   return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
 }
 
-Slid slid(const Variant& variant, const std::string& slivers, int steps) {
-  Problem problem = formats::load_case({KEYBLOCK_SOURCE_DIR "/tests/run/scenes/slope_of_150_blocks.json"}).problem;
+const Variant drawn{"as drawn", [](Point p) { return p; }};
+
+Slid slid(const std::string& scene, const Variant& variant, const std::string& slivers, int steps) {
+  Problem problem = formats::load_case({KEYBLOCK_SOURCE_DIR "/tests/run/scenes/" + scene}).problem;
   problem.analysis->step_count = steps;
   auto& blocks = std::get<Blocks>(problem.geometry);
   for (BlockPolygon& block : blocks.blocks)
@@ -78,7 +80,7 @@ Slid slid(const Variant& variant, const std::string& slivers, int steps) {
 // of half the largest displacement. With the slivers kept, fallen blocks strike others after 0.3 s: their motion then
 // depends on the last digits, and is not compared. Each variant is tried once, with one of both.
 TEST(SameAnywhere, a_slope_slides_alike_whatever_its_origin_axes_and_units) {
-  const Variant drawn{"as drawn", [](Point p) { return p; }};
+  const std::string scene = "slope_of_150_blocks.json";
   const std::vector<Variant> by_place = {
       {"a kilometre away",
        [](Point p) {
@@ -98,15 +100,35 @@ TEST(SameAnywhere, a_slope_slides_alike_whatever_its_origin_axes_and_units) {
   for (const auto& [slivers, steps, way, variants] :
        {std::tuple{"glue", 250, 0.4, by_place}, std::tuple{"keep", 150, 0.2, by_digits}}) {
     SCOPED_TRACE(slivers);
-    const Slid expected = slid(drawn, slivers, steps);
+    const Slid expected = slid(scene, drawn, slivers, steps);
     EXPECT_GT(expected.greatest, way) << "it slides";
     for (const Variant& variant : variants) {
-      const Slid found = slid(variant, slivers, steps);
+      const Slid found = slid(scene, variant, slivers, steps);
       EXPECT_NEAR(found.released, expected.released, 1e-3 * expected.released) << variant.name;
       ASSERT_EQ(found.ways.size(), expected.ways.size());
       for (std::size_t i = 0; i < found.ways.size(); ++i)
         EXPECT_LT(distance(found.ways[i], expected.ways[i]), 0.01 * expected.greatest) << variant.name << ' ' << i;
     }
+  }
+}
+
+// A slope that moves slides a little while its glue is released. A pseudo step that took the interior path found one of
+// two states by round-off: three blocks began 5e-6 m elsewhere, and after 0.5 s one was 16 % of the largest displacement
+// away.
+TEST(SameAnywhere, a_slope_that_moves_begins_alike) {
+  const std::string scene = "slope_of_85_blocks.json";
+  const Slid expected = slid(scene, drawn, "keep", 1);
+  for (const Variant& variant : {Variant{"turned", [](Point p) { return turned_by_degrees(p, 90); }, 90},
+                                 Variant{"turned by a degree", [](Point p) { return turned_by_degrees(p, 1); }, 1},
+                                 Variant{"a thousand kilometres away", [](Point p) {
+                                           return p + Point{1e6, 1e6};
+                                         }}}) {
+    const Slid found = slid(scene, variant, "keep", 1);
+    ASSERT_EQ(found.ways.size(), expected.ways.size());
+    double farthest = 0;
+    for (std::size_t i = 0; i < found.ways.size(); ++i)
+      farthest = std::max(farthest, distance(found.ways[i], expected.ways[i]));
+    EXPECT_LT(farthest, 2e-7) << variant.name;
   }
 }
 
