@@ -321,14 +321,14 @@ Warnings take_defaults_of_today(Content& content, const JsonValue& from) {
   Analysis& analysis = *content.analysis;
   std::vector<std::string> taken;
   Facts facts;
-  const auto tell = [&](const char* key, double number, const char* value) {
+  const auto take = [&](const char* key, double number, const char* value) {
     if (from.member(key)) return;
     facts.numbers.emplace_back(key, number);
     taken.push_back(fmt::format("{} {}", key, value));
   };
-  tell("velocity_carry_over", 1, "1 (motion in time)");
-  tell("plane_strain", 1, "true");
-  tell("allowed_displacement_ratio", 0.01, "0.01");
+  take("velocity_carry_over", 1, "1 (motion in time)");
+  take("plane_strain", 1, "true");
+  take("allowed_displacement_ratio", 0.01, "0.01");
   const bool has_weight =
       std::ranges::any_of(analysis.block_materials, [](const BlockMaterial& m) { return m.unit_weight != 0; });
   if (!analysis.gravity && !has_weight) {

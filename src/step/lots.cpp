@@ -181,8 +181,11 @@ StandardStep equilibrium_of_lots(StandardScene& scene, const Motion& motion, con
     add(all, std::move(made));
     if (!all.converged || !all.failure.empty()) break;
   }
-  if (all.converged && all.failure.empty() && one_meets_another(scene, lots, all.motion))
-    return static_equilibrium(scene, motion, step);
+  const bool is_found = all.converged && all.failure.empty();
+  if (!is_found || one_meets_another(scene, lots, all.motion)) {
+    StandardStep whole = static_equilibrium(scene, motion, step);  // names all blocks that move, not those of one lot
+    if (is_found || !whole.converged || !whole.failure.empty()) return whole;
+  }
   scene.load_share = load_share;
   return all;
 }

@@ -112,9 +112,9 @@ TEST(SameAnywhere, a_slope_slides_alike_whatever_its_origin_axes_and_units) {
   }
 }
 
-// A slope that moves slides a little while its glue is released. A pseudo step that took the interior path found one of
-// two states by round-off: three blocks began 5e-6 m elsewhere, and after 0.5 s one was 16 % of the largest displacement
-// away.
+// A slope that moves slides a little while its glue is released. A pseudo step that took the interior path found one
+// of two states by round-off: three blocks began 5e-6 m elsewhere, and after 0.5 s one was away by 16 % of the largest
+// displacement.
 TEST(SameAnywhere, a_slope_that_moves_begins_alike) {
   const std::string scene = "slope_of_85_blocks.json";
   const Slid expected = slid(scene, drawn, "keep", 1);

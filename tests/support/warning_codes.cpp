@@ -11,6 +11,7 @@
 #include <iterator>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/sentences/sentences.hpp"
@@ -167,10 +168,12 @@ std::map<std::string, std::string> warning_codes() {
     });
     add_defaults(text, file, codes);
   });
-  for (const Sentence& row : sentences_ahead())
-    codes.emplace(Finding{std::string(row.form)}.code(), "base/sentences/sentences_ahead.cpp");
-  for (const Sentence& row : sentences_of_runs())
-    codes.emplace(Finding{std::string(row.form)}.code(), "base/sentences/sentences_of_runs.cpp");
+  for (const auto& [table, file] : {std::pair(sentences_ahead(), "sentences_ahead.cpp"),
+                                    std::pair(sentences_of_cases(), "sentences_of_cases.cpp"),
+                                    std::pair(sentences_of_cuts(), "sentences_of_cuts.cpp"),
+                                    std::pair(sentences_of_readers(), "sentences_of_readers.cpp"),
+                                    std::pair(sentences_of_runs(), "sentences_of_runs.cpp")})
+    for (const Sentence& row : table) codes.emplace(Finding{std::string(row.form)}.code(), file);
   return codes;
 }
 
