@@ -46,8 +46,8 @@ class Lot {
   std::vector<std::size_t> held_;   ///< of the lot, in the whole scene
 };
 
-/// Makes the load step of each lot by itself (`static_equilibrium`), or of the whole scene if lots meet. Where a lot has
-/// no equilibrium, the whole scene names all blocks that move.
+/// Makes the load step of each lot by itself (`static_equilibrium`), or of the whole scene if lots meet. Where a lot
+/// has no equilibrium, the whole scene names all blocks that move.
 StandardStep equilibrium_of_lots(StandardScene& scene, const Motion& motion, const LoadStep& step);
 
 }  // namespace keyblock

@@ -73,13 +73,18 @@ class SmoothSolve {
     unsolved_ = residual(contacts_.problem(), now);
     if (round > 0 && !rows_moved && is_good_enough(unsolved_)) return RoundsEnd::balanced;
     ++result_.rounds;
+    const int fallbacks = result_.fallbacks;
     next_ = next_increments(std::move(now));
     change_ = free_.greatest_change(increments_, next_);
+    // Gaps of rounded corners turn with the way along them. Rows that give half of their slope make whole increments
+    // alternate between two estimates.
+    alternates_ = free_.is_linear() && !contacts_.springs_stop() && result_.fallbacks == fallbacks && round > 1 &&
+                  change_ > of_line_search::kStalls * before_;
     stalls_ += stalls() ? 1 : 0;
     return RoundsEnd::open;
   }
 
-  bool has_kinks() const { return free_.has_kinks(); }
+  bool has_kinks() const { return free_.has_kinks() || alternates_; }
   double change_over_last() const { return change_ / before_; }
   void take(double part) {
     increments_ = part < 1 ? plus(increments_, part, plus(next_, -1, increments_)) : std::move(next_);
@@ -171,6 +176,7 @@ class SmoothSolve {
   double before_ = 0;   ///< by the iteration before it
   bool is_new_tangent_ = false;
   bool starts_otherwise_ = false;  ///< differently than from the velocity
+  bool alternates_ = false;        ///< blocks: the last change is as large as the one before
   int stalls_ = 0;                 ///< iterations of tolerable changes that a new tangent did not reduce
   double unsolved_ = 0;            ///< residual of the last iteration's forces in the gaps of this one
   UnknownsTable tangent_at_;       ///< increments about which the matrix was made
