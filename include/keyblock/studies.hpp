@@ -40,8 +40,8 @@ struct Strength {
 /// Divides the strength of "joints", "rock" or "both" until the case is no longer stable: the search of `keyblock fos`,
 /// without its second one on a coarser mesh. If `what` is empty or `within` 0, it is that of the `case.json` of a
 /// folder, else "joints" or 0.01. The range of the search and its exemptions are always those of `case.json`. Throws
-/// SettingError for another word, or a width below 0; Error if nothing fixes the blocks, and gravity
-/// acts on them, or no load at all.
+/// SettingError for another word, or a width below 0; Error if nothing fixes the blocks and gravity, or no load at all,
+/// acts on them.
 KEYBLOCK_API Strength factor_of_safety(const Case& of, std::string_view what = {}, double within = 0,
                                        const Choices& choices = {}, const Context& context = Context());
 
