@@ -96,16 +96,19 @@ InitialMotion resting_first(const StandardScene& scene, Motion motion) {
   return {std::move(start.motion), {}, report};
 }
 
+bool begins_as_drawn(const StandardScene& scene) {
+  const StandardChoices& choices = scene.settings.standard;
+  return choices.motion == MotionRule::dynamic && choices.start == StartRule::sudden;
+}
+
 InitialMotion asked_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
   const Scales scales = scales_at(scene, motion, 0);
   motion.bonds = bonds_at(scene, motion, scales);
-  const StandardChoices& choices = scene.settings.standard;
-  const bool is_in_time = choices.motion == MotionRule::dynamic;
-  const bool as_drawn = is_in_time && choices.start == StartRule::sudden;
+  if (begins_as_drawn(scene)) return {std::move(motion), {}, {}};
+  const bool is_in_time = scene.settings.standard.motion == MotionRule::dynamic;
   const bool slides_in_balance =
       std::ranges::all_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_compatible_start(); });
-  if (as_drawn) return {std::move(motion), {}, {}};
   // Blocks that may yield have stress that forces alone do not give.
   if (!slides_in_balance)
     return is_in_time ? resting_first(scene, std::move(motion)) : InitialMotion{std::move(motion), {}, {}};
@@ -137,11 +140,6 @@ InitialMotion asked_motion(const StandardScene& scene) {
                                                           counted(static_cast<std::size_t>(start.bolts), "bolt"));
   return {
       std::move(start.motion), std::move(start.failure), {"compatible", balanced_by(scene, what), {}, start.misfit, 0}};
-}
-
-bool begins_as_drawn(const StandardScene& scene) {
-  const StandardChoices& choices = scene.settings.standard;
-  return choices.motion == MotionRule::dynamic && choices.start == StartRule::sudden;
 }
 
 // Adds a sentence unless it is there already.

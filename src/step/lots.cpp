@@ -115,18 +115,11 @@ Lot::Lot(const StandardScene& whole, ChosenElements chosen) : whole_(whole), cho
     if (is_chosen(whole.held[i].element)) held_.push_back(i);
 }
 
-bool Lot::is_own(const Touch& touch) const {
+bool Lot::is_own(VertexIndex one, VertexIndex other) const {
   const auto is_chosen = [&](VertexIndex v) {
     return chosen_[static_cast<std::size_t>(whole_.model.vertices[v].element.value)];
   };
-  return is_chosen(touch.vertex) || is_chosen(touch.start);
-}
-
-bool Lot::is_own(const Facing& facing) const {
-  const auto is_chosen = [&](VertexIndex v) {
-    return chosen_[static_cast<std::size_t>(whole_.model.vertices[v].element.value)];
-  };
-  return is_chosen(facing.lower) || is_chosen(facing.upper);
+  return is_chosen(one) || is_chosen(other);
 }
 
 void Lot::copy(const Motion& from, Motion& to) const {
@@ -135,10 +128,10 @@ void Lot::copy(const Motion& from, Motion& to) const {
     if (chosen_[static_cast<std::size_t>(e.value)]) to.v[e] = from.v[e];
   std::vector<ClosedContact> closed = to.closed.all();
   for (const ClosedContact& contact : from.closed.all())
-    if (is_own(contact.touch)) closed.push_back(contact);
+    if (is_own(contact.touch.vertex, contact.touch.start)) closed.push_back(contact);
   to.closed = ClosedContacts(std::move(closed));
   for (const auto& bond : from.bonds)
-    if (is_own(bond.first)) to.bonds.insert(bond);
+    if (is_own(bond.first.lower, bond.first.upper)) to.bonds.insert(bond);
 }
 
 Motion Lot::part_of(const Motion& all) const {

@@ -34,8 +34,8 @@ class Lot {
   void put(const Motion& own, Motion& all) const;
 
  private:
-  bool is_own(const Touch& touch) const;
-  bool is_own(const Facing& facing) const;
+  /// Returns true if a vertex of the two belongs to the lot.
+  bool is_own(VertexIndex one, VertexIndex other) const;
   /// Copies what belongs to the lot, but no constraints.
   void copy(const Motion& from, Motion& to) const;
 

@@ -25,8 +25,8 @@ namespace {
 
 using namespace tolerances;
 
-// Newton's method follows a path of solutions. Its fallback may find another one, which round-off chooses: the last way
-// of a slope that moves was seen to differ by 5e-6 m between frames. A step with the fallback is made again in shorter
+// Newton's method follows a path of solutions. Its fallback may find another one, which round-off chooses: the start of
+// a slope that moves was seen to differ by 5e-6 m between frames. A step with the fallback is made again in shorter
 // ones, unless its fraction of free motion changed by less than this: even sliding finds no other path.
 constexpr double kLikeTheLast = 0.1;
 
