@@ -165,6 +165,23 @@ TEST(StandardSlide, a_block_drawn_above_its_slope_loses_no_friction_while_the_ga
   }
 }
 
+// Springs hold the place in the step that closes the gap, and the velocity in the next. A velocity that the first left
+// would drive the block in by as much as it fell.
+TEST(StandardSlide, a_block_that_falls_less_than_in_one_step_rests_where_it_meets_the_floor) {
+  for (const Choice& choice : kChoices) {
+    for (double gap : {1e-5, 1e-4, 2e-4, 1e-3, 1.9e-3}) {
+      const Scene scene = slope_scene(0, 20, 2e-2, choice, 0, gap);
+      StandardStepper stepper(scene);
+      const State start = stepper.state();
+      for (int step = 1; step <= 20; ++step) {
+        run_to(stepper, step * 2e-2);
+        EXPECT_NEAR(support::travel(stepper, start, 1).y, -gap, 1e-5)
+            << name_of(choice) << ", gap " << gap << ", step " << step;
+      }
+    }
+  }
+}
+
 // dda-04: at the friction angle of the slope and above, the block stays.
 TEST(StandardSlide, a_block_at_its_friction_angle_and_above_does_not_creep) {
   for (const Choice& choice : kChoices) {

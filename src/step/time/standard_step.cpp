@@ -16,11 +16,10 @@
 #include "step/scene/equilibrium.hpp"
 #include "step/scene/set_shares.hpp"
 #include "step/scene/touch_search.hpp"
-#include "step/time/impact.hpp"
+#include "step/time/clean_up.hpp"
 #include "step/time/ledger.hpp"
 #include "step/time/smooth_solve.hpp"
 #include "step/time/strike.hpp"
-#include "step/time/unresolved_strain.hpp"
 
 namespace keyblock {
 namespace {
@@ -64,16 +63,13 @@ Split split(const StandardScene& scene, const Motion& start, const Touches& touc
 }
 
 // Returns loaded contacts, and contacts closed to within kTouching without load: an impact passes through them at once.
-template <class Bears>
 Touches touching(const StandardScene& scene, const UnknownsTable& q, const Touches& touches, double size,
-                 const Bears& bears) {
+                 const std::vector<bool>& bears) {
   const auto vertices = vertices_at(scene.model, scene.reference, q);
-  const auto lies_against = [&](const Touch& touch) {
-    return gap_of(touch, vertices) - touch.rest_gap <= of_gaps::kTouching * size && lies_over_edge(touch, vertices);
-  };
   Touches result;
   for (std::size_t i = 0; i < touches.size(); ++i)
-    if (bears(i) || lies_against(touches[i])) result.push_back(touches[i]);
+    if (bears[i] || (!is_apart(touches[i], vertices, size) && lies_over_edge(touches[i], vertices)))
+      result.push_back(touches[i]);
   return result;
 }
 
@@ -113,35 +109,25 @@ class Attempt {
     step_.end = smooth_.end;
     if (!step_.converged) return std::move(step_);
     if (!smooth_.is_tolerated) step_.undecided.clear();
-    before_clean_up_ = smooth_.v;
-    if (stops_strain()) stop_unresolved(scene_.bodies(), whole_, before_clean_up_);
     step_.motion.q = smooth_.q;
     step_.motion.a = smooth_.a;
     step_.motion.points = smooth_.points;
     step_.motion.bonds = smooth_.bonds;
     step_.motion.constraints = smooth_.constraints;
-    const std::vector<std::size_t> held = to_be_held();
-    Touches held_touches;
-    std::vector<HeldSlip> slips;
-    for (std::size_t i : held) {
-      held_touches.push_back(parts_.smooth[i]);
-      slips.push_back(slip_held(i));
-    }
-    PushedVelocities pushed = cleaned_up(held_touches, slips, start_.given_up + energy_of_closing(held));
-    step_.motion.v = std::move(pushed.v);
-    SupportWork given{pushed.given, 0};
-    if (one_resolves_impact(held_touches))
-      step_.motion.given_up =
-          std::max(0.0, kinetic_energy(scene_, before_clean_up_) - kinetic_energy(scene_, step_.motion.v));
+    put_closed();
+    CleanedVelocities of_contacts = cleaned_up(
+        {scene_, start_, smooth_, rule_, scales_, parts_.smooth, parts_.smooth_speeds, closed_, time_, dt_, whole_});
+    step_.motion.v = std::move(of_contacts.v);
+    step_.motion.given_up = of_contacts.given_up;
+    SupportWork given{of_contacts.given, 0};
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty())
-      given.jump =
-          strike({scene_, start_, smooth_, rule_, time_, dt_, slow_speed(scene_, scales_, start_.v, whole_),
-                  scales_.size, parts_.smooth.size()},
-                 {std::move(parts_.impacts), std::move(parts_.impact_speeds)},
-                 {touching(scene_, smooth_.q, parts_.smooth, scales_.size, [&](std::size_t i) { return is_closed(i); }),
-                  [&](const UnknownsTable& after_jump) { return others(after_jump); }},
-                 step_);
+      given.jump = strike({scene_, start_, smooth_, rule_, time_, dt_, slow_speed(scene_, scales_, start_.v, whole_),
+                           scales_.size, parts_.smooth.size()},
+                          {std::move(parts_.impacts), std::move(parts_.impact_speeds)},
+                          {touching(scene_, smooth_.q, parts_.smooth, scales_.size, closed_),
+                           [&](const UnknownsTable& after_jump) { return others(after_jump); }},
+                          step_);
     remember();
     if (rule_.carries_acceleration()) step_.motion.a = with_held_at_ease(scene_, step_.motion);
     if (scene_.settings.ledger == Bookkeeping::on)
@@ -179,100 +165,13 @@ class Attempt {
     }
   }
 
-  // Only where the elastic force follows the strain rate (3.6).
-  bool stops_strain() const { return rule_.strain.velocity != 0; }
-  bool has_stopped_strain(const Touch& touch) const {
-    const auto stops = [&](VertexIndex v) {
-      return is_unresolved(scene_.bodies()[scene_.model.vertices[v].element], whole_);
-    };
-    return stops_strain() && (stops(touch.vertex) || stops(touch.start));
-  }
-
   double normal(std::size_t i) const { return smooth_.forces[static_cast<Eigen::Index>(2 * i)]; }
 
   // A force below the residual counts as zero; a bond may pull.
-  bool is_closed(std::size_t i) const {
-    return std::abs(normal(i)) > share_of(tolerance_, scene_.model, parts_.smooth[i]) * least_force_ ||
-           smooth_.bonds.contains(parts_.smooth[i].facing);
-  }
-
-  // Lists contacts whose velocity the clean-up must stop. These are multipliers, and springs that would rebound after
-  // closing. Such springs belong to NMM bodies, with all that sticks to them, and to blocks that closed faster than
-  // free fall in one step. A bond is an oscillating spring: once it holds, the clean-up takes no energy from it.
-  std::vector<std::size_t> to_be_held() const {
-    const bool springs_throw_back = scene_.settings.standard.impact == ImpactLaw::jump && !rule_.carries_acceleration();
-    std::vector<std::size_t> held;
-    for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
-      if (!is_closed(i)) continue;
-      const Touch& touch = parts_.smooth[i];
-      const bool has_spring = smooth_.laws[i].normal_compliance > 0;
-      const bool has_met = !start_.closed.of(touch) || (slip_held(i).sticks && !smooth_.laws[i].is_bonded);
-      const bool is_thrown_back =
-          resolves_impact(scene_, touch) || parts_.smooth_speeds[i] < -scales_.acceleration * whole_;
-      if (!has_spring || (springs_throw_back && has_met && is_thrown_back)) held.push_back(i);
-    }
-    return held;
-  }
-
-  bool one_resolves_impact(const Touches& touches) const {
-    return std::ranges::any_of(touches, [&](const Touch& touch) { return resolves_impact(scene_, touch); });
-  }
-
-  // Returns the energy that contacts took in closing, beyond the energy stored in their springs.
-  double energy_of_closing(const std::vector<std::size_t>& held) const {
-    if (held.empty()) return 0;
-    const auto before = vertices_at(scene_.model, scene_.reference, start_.q);
-    const auto after = vertices_at(scene_.model, scene_.reference, smooth_.q);
-    double taken = 0;
-    for (const std::size_t i : held) {
-      const Touch& touch = parts_.smooth[i];
-      const ContactLaw& law = smooth_.laws[i];
-      const double gap = gap_of(touch, after);
-      const double kept = law.normal_compliance > 0 ? std::max(0.0, law.rest_gap - gap) : 0;
-      taken -= normal(i) * (gap - gap_of(touch, before) + kept);
-    }
-    return std::max(0.0, taken);
-  }
-
-  // The clean-up with the inertia that a step reaches may raise the kinetic energy, because that inertia is not the
-  // mass. With the mass alone, the energy falls and contacts have no velocity either. If the energy would rise by more
-  // than the closing contacts and the last step gave up, a mixture of both keeps it.
-  PushedVelocities cleaned_up(const Touches& held, const std::vector<HeldSlip>& slips, double at_most) const {
-    const auto answered_by = [&](const PushAnswer& answer) {
-      return with_held_velocities(scene_, smooth_.q, before_clean_up_, held, slips, time_, dt_, answer);
-    };
-    PushedVelocities cleaned = answered_by({smooth_.flexibility, rule_.end_velocity.increment});
-    if (!one_resolves_impact(held)) return cleaned;
-    const double most = kinetic_energy(scene_, before_clean_up_) + at_most;
-    if (kinetic_energy(scene_, cleaned.v) <= most) return cleaned;
-    const Flexibility mass = mass_flexibility(scene_);
-    PushedVelocities calm = answered_by({mass, dt_});
-    const double left = most - kinetic_energy(scene_, calm.v);
-    if (left <= 0) return calm;  // friction of slivers, or driven points
-    const UnknownsTable change = plus(cleaned.v, -1, calm.v);
-    const UnknownsTable pushed = momentum(scene_, change);
-    const double slope = dot(calm.v, pushed);
-    const double curvature = dot(change, pushed);
-    const double part = (std::sqrt(slope * slope + 2 * curvature * left) - slope) / curvature;
-    return {plus(calm.v, part, change), calm.given + part * (cleaned.given - calm.given)};
-  }
-
-  // If friction opposes the displacement of the step, a sticking contact keeps no tangential velocity, which would
-  // reverse in each step. The impulse on a sliding one includes friction. Friction of DDA blocks opposes the end
-  // velocity. Coulomb's law holds for the sum of force and impulse in the step in which they meet, and where the
-  // clean-up makes up for a strain rate that was stopped.
-  HeldSlip slip_held(std::size_t i) const {
-    if (!smooth_.way_laws[i]) {
-      const bool is_resting = start_.closed.of(parts_.smooth[i]) && !has_stopped_strain(parts_.smooth[i]);
-      if (smooth_.laws[i].is_bonded || is_resting) return {};
-      return {.coulomb = smooth_.laws[i].force.friction,
-              .force = smooth_.forces.segment<2>(static_cast<Eigen::Index>(2 * i))};
-    }
-    if (smooth_.laws[i].is_bonded) return {.sticks = true};
-    if (normal(i) <= 0) return {};
-    const double tangential = smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)];
-    if (sticks(smooth_.laws[i], normal(i), tangential)) return {.sticks = true};
-    return {.friction = tangential / normal(i)};
+  void put_closed() {
+    for (std::size_t i = 0; i < parts_.smooth.size(); ++i)
+      closed_.push_back(std::abs(normal(i)) > share_of(tolerance_, scene_.model, parts_.smooth[i]) * least_force_ ||
+                        smooth_.bonds.contains(parts_.smooth[i].facing));
   }
 
   // Lists the contacts that neither jump nor separation may drive into one another. These are closed contacts, corners
@@ -283,7 +182,7 @@ class Attempt {
     Touches others;
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
       const Touch& touch = parts_.smooth[i];
-      if (is_closed(i) || lies_over_edge(touch, vertices) || lies_over_edge(touch, jumped)) others.push_back(touch);
+      if (closed_[i] || lies_over_edge(touch, vertices) || lies_over_edge(touch, jumped)) others.push_back(touch);
     }
     std::ranges::copy(newly_overlapping(scene_, start_, jumped, found_, scales_), std::back_inserter(others));
     std::erase_if(others, [&](const Touch& touch) { return is_within_one_body(scene_, touch); });
@@ -296,7 +195,7 @@ class Attempt {
     const Eigen::VectorXd way = rates(smooth_.rows, plus(smooth_.q, -1, start_.q));
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
-      if (!is_closed(i)) continue;
+      if (!closed_[i]) continue;
       const auto t = static_cast<Eigen::Index>(2 * i + 1);
       const ContactLaw& law = smooth_.laws[i];
       const Touch& touch = parts_.smooth[i];
@@ -326,7 +225,7 @@ class Attempt {
   ForceTolerance tolerance_;
   Split parts_;
   SmoothMotion smooth_;
-  UnknownsTable before_clean_up_;  ///< velocities of the smooth motion that the step resolves
+  std::vector<bool> closed_;  ///< per contact of the smooth motion
   StandardStep step_;
 };
 

@@ -1,6 +1,6 @@
 // Rows of stiff blocks that meet at random in steps far longer than their slowest vibration: their energy falls.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/time/unresolved_strain.hpp"
+#include "step/bodies/unresolved_strain.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Compares the slowest strain mode of each block with the step.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "step/time/unresolved_strain.hpp"
+#include "step/bodies/unresolved_strain.hpp"
 
 #include <Eigen/LU>
 #include <numbers>

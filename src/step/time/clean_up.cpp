@@ -1,0 +1,186 @@
+// Selects the contacts whose velocity must stop, and the friction of their impulses; see clean_up.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/time/clean_up.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "contact/find/connected_sets.hpp"
+#include "contact/rows/gap.hpp"
+#include "step/bodies/unresolved_strain.hpp"
+#include "step/newton/tolerances.hpp"
+#include "step/time/ledger.hpp"
+
+namespace keyblock {
+namespace {
+
+using namespace tolerances;
+
+// Work of a contact force over twice the overlap that stopped strain rates would make in the next step. The unit is the
+// largest load times the size of blocks. Slivers, which strain fast, stay below it; more would cost time.
+constexpr double kWorkOfOverlap = 3e-6;
+
+class CleanUp {
+ public:
+  explicit CleanUp(const ClosingStep& of) : of_(of), before_(of.smooth.v) {
+    if (stops_strain()) stop_unresolved(of_.scene.bodies(), of_.whole, before_);
+    held_ = to_be_held();
+    for (const std::size_t i : held_) {
+      touches_.push_back(of_.touches[i]);
+      slips_.push_back(slip_held(i));
+    }
+  }
+
+  CleanedVelocities run() const {
+    PushedVelocities pushed = pushed_by({of_.smooth.flexibility, of_.rule.end_velocity.increment});
+    const bool has_inertia_of_step =
+        std::ranges::any_of(touches_, [&](const Touch& touch) { return resolves_impact(of_.scene, touch); });
+    if (!has_inertia_of_step) return {std::move(pushed.v), pushed.given};
+    pushed = without_gain(std::move(pushed));
+    const double given_up = kinetic_energy(of_.scene, before_) - kinetic_energy(of_.scene, pushed.v);
+    return {std::move(pushed.v), pushed.given, std::max(0.0, given_up)};
+  }
+
+ private:
+  // Only where the elastic force follows the strain rate (3.6).
+  bool stops_strain() const { return of_.rule.strain.velocity != 0; }
+  bool has_stopped_strain(const Touch& touch) const {
+    const auto stops = [&](VertexIndex v) {
+      return is_unresolved(of_.scene.bodies()[of_.scene.model.vertices[v].element], of_.whole);
+    };
+    return stops_strain() && (stops(touch.vertex) || stops(touch.start));
+  }
+
+  double normal(std::size_t i) const { return of_.smooth.forces[static_cast<Eigen::Index>(2 * i)]; }
+  bool has_spring(std::size_t i) const { return of_.smooth.laws[i].normal_compliance > 0; }
+  bool was_open(std::size_t i) const { return !of_.start.closed.of(of_.touches[i]); }
+
+  // Lists contacts with multipliers, and springs that would rebound after closing. Such springs belong to NMM bodies,
+  // with all that sticks to them, to blocks that met, and to blocks that a stopped strain rate would drive together. A
+  // bond is an oscillating spring: once it holds, the clean-up takes no energy from it.
+  std::vector<std::size_t> to_be_held() const {
+    const bool springs_throw_back =
+        of_.scene.settings.standard.impact == ImpactLaw::jump && !of_.rule.carries_acceleration();
+    const std::vector<bool> met = springs_throw_back ? pairs_that_met() : std::vector<bool>(of_.touches.size());
+    const Eigen::VectorXd stopped = rates(of_.smooth.rows, plus(before_, -1, of_.smooth.v));
+    const double least_work = kWorkOfOverlap * of_.scales.force * of_.scales.size;
+    const auto is_driven_in = [&](std::size_t i) {
+      const double overlap = std::abs(stopped[static_cast<Eigen::Index>(2 * i)]) * of_.whole;
+      return springs_throw_back && normal(i) * overlap > least_work;
+    };
+    const auto sticks_to_it = [&](std::size_t i) {
+      return springs_throw_back && resolves_impact(of_.scene, of_.touches[i]) &&
+             (was_open(i) || (slip_held(i).sticks && !of_.smooth.laws[i].is_bonded));
+    };
+    std::vector<std::size_t> held;
+    for (std::size_t i = 0; i < of_.touches.size(); ++i)
+      if (of_.closed[i] && (!has_spring(i) || met[i] || is_driven_in(i) || sticks_to_it(i))) held.push_back(i);
+    return held;
+  }
+
+  // Blocks meet if a spring between them closes from a gap, or faster than in a step of free fall. All springs that
+  // close in their connected set bear the impulse. Other closing springs are compressed by blocks that lie on them from
+  // the start, without an impact.
+  std::vector<bool> pairs_that_met() const {
+    std::vector<std::size_t> closing;
+    Touches touches;
+    for (std::size_t i = 0; i < of_.touches.size(); ++i) {
+      if (!of_.closed[i] || !has_spring(i) || !was_open(i)) continue;
+      closing.push_back(i);
+      touches.push_back(of_.touches[i]);
+    }
+    std::vector<bool> met(of_.touches.size());
+    if (closing.empty()) return met;
+    const Model& model = of_.scene.model;
+    const ConnectedSets sets(model, pairs_of(model, touches), {});
+    const auto at_start = vertices_at(model, of_.scene.reference, of_.start.q);
+    std::vector<bool> of_sets(model.elements.size());
+    const auto elements_of = [&](std::size_t i) {
+      return std::array{model.vertices[of_.touches[i].vertex].element, model.vertices[of_.touches[i].start].element};
+    };
+    for (const std::size_t i : closing) {
+      if (!is_apart(of_.touches[i], at_start, of_.scales.size) && of_.speeds[i] >= -of_.scales.acceleration * of_.whole)
+        continue;
+      for (const ElementIndex e : elements_of(i))
+        if (model.elements[e].can_move()) of_sets[sets.of(e)] = true;
+    }
+    for (const std::size_t i : closing)
+      met[i] = std::ranges::any_of(elements_of(i), [&](ElementIndex e) { return of_sets[sets.of(e)]; });
+    return met;
+  }
+
+  PushedVelocities pushed_by(const PushAnswer& answer) const {
+    return with_held_velocities(of_.scene, of_.smooth.q, before_, touches_, slips_, of_.time, of_.dt, answer);
+  }
+
+  // Returns the energy that contacts took in closing, beyond the energy stored in their springs.
+  double energy_of_closing() const {
+    const auto before = vertices_at(of_.scene.model, of_.scene.reference, of_.start.q);
+    const auto after = vertices_at(of_.scene.model, of_.scene.reference, of_.smooth.q);
+    double taken = 0;
+    for (const std::size_t i : held_) {
+      const Touch& touch = of_.touches[i];
+      const ContactLaw& law = of_.smooth.laws[i];
+      const double gap = gap_of(touch, after);
+      const double kept = has_spring(i) ? std::max(0.0, law.rest_gap - gap) : 0;
+      taken -= normal(i) * (gap - gap_of(touch, before) + kept);
+    }
+    return std::max(0.0, taken);
+  }
+
+  // The clean-up with the inertia that a step reaches may raise the kinetic energy, because that inertia is not the
+  // mass. With the mass alone, the energy falls and contacts have no velocity either. If the energy would rise by more
+  // than the closing contacts and the last step gave up, a mixture of both keeps it.
+  PushedVelocities without_gain(PushedVelocities cleaned) const {
+    const double most = kinetic_energy(of_.scene, before_) + of_.start.given_up + energy_of_closing();
+    if (kinetic_energy(of_.scene, cleaned.v) <= most) return cleaned;
+    const Flexibility mass = mass_flexibility(of_.scene);
+    PushedVelocities calm = pushed_by({mass, of_.dt});
+    const double left = most - kinetic_energy(of_.scene, calm.v);
+    if (left <= 0) return calm;  // friction of slivers, or driven points
+    const UnknownsTable change = plus(cleaned.v, -1, calm.v);
+    const UnknownsTable pushed = momentum(of_.scene, change);
+    const double slope = dot(calm.v, pushed);
+    const double curvature = dot(change, pushed);
+    const double part = (std::sqrt(slope * slope + 2 * curvature * left) - slope) / curvature;
+    return {plus(calm.v, part, change), calm.given + part * (cleaned.given - calm.given)};
+  }
+
+  // If friction opposes the displacement of the step, a sticking contact keeps no tangential velocity, which would
+  // reverse in each step. The impulse on a sliding one includes friction. Friction of DDA blocks opposes the end
+  // velocity. Coulomb's law holds for the sum of force and impulse in the step in which they meet, and where the
+  // clean-up makes up for a strain rate that was stopped.
+  HeldSlip slip_held(std::size_t i) const {
+    if (!of_.smooth.way_laws[i]) {
+      const bool is_resting = of_.start.closed.of(of_.touches[i]) && !has_stopped_strain(of_.touches[i]);
+      if (of_.smooth.laws[i].is_bonded || is_resting) return {};
+      return {.coulomb = of_.smooth.laws[i].force.friction,
+              .force = of_.smooth.forces.segment<2>(static_cast<Eigen::Index>(2 * i))};
+    }
+    if (of_.smooth.laws[i].is_bonded) return {.sticks = true};
+    if (normal(i) <= 0) return {};
+    const double tangential = of_.smooth.forces[static_cast<Eigen::Index>(2 * i + 1)];
+    if (sticks(of_.smooth.laws[i], normal(i), tangential)) return {.sticks = true};
+    return {.friction = tangential / normal(i)};
+  }
+
+  const ClosingStep& of_;
+  UnknownsTable before_;  ///< velocities of the smooth motion that the step resolves
+  std::vector<std::size_t> held_;
+  Touches touches_;  ///< those held
+  std::vector<HeldSlip> slips_;
+};
+
+}  // namespace
+
+CleanedVelocities cleaned_up(const ClosingStep& of) {
+  return CleanUp(of).run();
+}
+
+bool is_apart(const Touch& touch, const Table<VertexIndex, Point>& vertices, double size) {
+  return gap_of(touch, vertices) - touch.rest_gap > of_gaps::kTouching * size;
+}
+
+}  // namespace keyblock
