@@ -34,7 +34,7 @@ class CleanUp {
   }
 
   CleanedVelocities run() const {
-    PushedVelocities pushed = pushed_by({of_.smooth.flexibility, of_.rule.end_velocity.increment});
+    PushedVelocities pushed = pushed_by({flexibility(), of_.rule.end_velocity.increment});
     const bool has_inertia_of_step =
         std::ranges::any_of(touches_, [&](const Touch& touch) { return resolves_impact(of_.scene, touch); });
     if (!has_inertia_of_step) return {std::move(pushed.v), pushed.given};
@@ -109,6 +109,18 @@ class CleanUp {
     for (const std::size_t i : closing)
       met[i] = std::ranges::any_of(elements_of(i), [&](ElementIndex e) { return of_sets[sets.of(e)]; });
     return met;
+  }
+
+  // A part of a step may resolve strains that the whole step does not, and pushes would give them a rate. The next part
+  // would make a strain of it. Such blocks answer as rigid ones.
+  Flexibility flexibility() const {
+    Flexibility answering = of_.smooth.flexibility;
+    if (!(stops_strain() && of_.dt < of_.whole)) return answering;
+    const Table<ElementIndex, UnknownBlock> rigid = rigid_mass_inverses(of_.scene.bodies());
+    for (const ElementIndex e : indices(answering.blocks))
+      if (is_unresolved(of_.scene.bodies()[e], of_.whole)) answering.blocks[e] = rigid[e] / of_.rule.inertia.increment;
+    answering.inverses = {};
+    return answering;
   }
 
   PushedVelocities pushed_by(const PushAnswer& answer) const {
