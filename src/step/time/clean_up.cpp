@@ -26,10 +26,12 @@ class CleanUp {
  public:
   explicit CleanUp(const ClosingStep& of) : of_(of), before_(of.smooth.v) {
     if (stops_strain()) stop_unresolved(of_.scene.bodies(), of_.whole, before_);
-    held_ = to_be_held();
-    for (const std::size_t i : held_) {
+    const std::vector<Part> parts = parts_of_contacts();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (parts[i] == Part::none) continue;
+      held_.push_back(i);
       touches_.push_back(of_.touches[i]);
-      slips_.push_back(slip_held(i));
+      slips_.push_back(parts[i] == Part::stops ? slip_held(i) : HeldSlip{.passes_on = passed_on_by(i)});
     }
   }
 
@@ -57,33 +59,49 @@ class CleanUp {
   bool has_spring(std::size_t i) const { return of_.smooth.laws[i].normal_compliance > 0; }
   bool was_open(std::size_t i) const { return !of_.start.closed.of(of_.touches[i]); }
 
-  // Lists contacts with multipliers, and springs that would rebound after closing. Such springs belong to NMM bodies,
+  // Part of a contact in the clean-up: its normal velocity stops, or it passes on impulses and must not close faster.
+  enum class Part { none, passes_on, stops };
+
+  // Contacts with multipliers stop, and springs that would rebound after closing. Such springs belong to NMM bodies,
   // with all that sticks to them, to blocks that met, and to blocks that a stopped strain rate would drive together. A
   // bond is an oscillating spring: once it holds, the clean-up takes no energy from it.
-  std::vector<std::size_t> to_be_held() const {
-    const bool springs_throw_back =
-        of_.scene.settings.standard.impact == ImpactLaw::jump && !of_.rule.carries_acceleration();
-    const std::vector<bool> met = springs_throw_back ? pairs_that_met() : std::vector<bool>(of_.touches.size());
-    const Eigen::VectorXd stopped = rates(of_.smooth.rows, plus(before_, -1, of_.smooth.v));
-    const double least_work = kWorkOfOverlap * of_.scales.force * of_.scales.size;
-    const auto is_driven_in = [&](std::size_t i) {
-      const double overlap = std::abs(stopped[static_cast<Eigen::Index>(2 * i)]) * of_.whole;
-      return springs_throw_back && normal(i) * overlap > least_work;
-    };
-    const auto sticks_to_it = [&](std::size_t i) {
-      return springs_throw_back && resolves_impact(of_.scene, of_.touches[i]) &&
-             (was_open(i) || (slip_held(i).sticks && !of_.smooth.laws[i].is_bonded));
-    };
-    std::vector<std::size_t> held;
-    for (std::size_t i = 0; i < of_.touches.size(); ++i)
-      if (of_.closed[i] && (!has_spring(i) || met[i] || is_driven_in(i) || sticks_to_it(i))) held.push_back(i);
-    return held;
+  std::vector<Part> parts_of_contacts() const {
+    std::vector<Part> parts(of_.touches.size());
+    if (of_.scene.settings.standard.impact == ImpactLaw::jump && !of_.rule.carries_acceleration()) put_springs(parts);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (of_.closed[i] && !has_spring(i)) parts[i] = Part::stops;
+    return parts;
   }
 
-  // Blocks meet if a spring between them closes from a gap, or faster than in a step of free fall. All springs that
-  // close in their connected set bear the impulse. Other closing springs are compressed by blocks that lie on them from
-  // the start, without an impact.
-  std::vector<bool> pairs_that_met() const {
+  void put_springs(std::vector<Part>& parts) const {
+    const std::vector<bool> hit = blocks_that_met();
+    const Eigen::VectorXd stopped = rates(of_.smooth.rows, plus(before_, -1, of_.smooth.v));
+    const double least_work = kWorkOfOverlap * of_.scales.force * of_.scales.size;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (!of_.closed[i] || !has_spring(i)) continue;
+      const double overlap = std::abs(stopped[static_cast<Eigen::Index>(2 * i)]) * of_.whole;
+      const bool has_met =
+          std::ranges::any_of(elements_of(i), [&](ElementIndex e) { return hit[static_cast<std::size_t>(e.value)]; });
+      const bool sticks_to_cover = resolves_impact(of_.scene, of_.touches[i]) &&
+                                   (was_open(i) || (slip_held(i).sticks && !of_.smooth.laws[i].is_bonded));
+      if (sticks_to_cover || normal(i) * overlap > least_work || (has_met && was_open(i)))
+        parts[i] = Part::stops;
+      else if (has_met)
+        parts[i] = Part::passes_on;
+    }
+  }
+
+  std::array<ElementIndex, 2> elements_of(std::size_t i) const {
+    const Touch& touch = of_.touches[i];
+    return {of_.scene.model.vertices[touch.vertex].element, of_.scene.model.vertices[touch.start].element};
+  }
+
+  // Blocks meet if a spring between them closes from a gap, or faster than in a step of free fall. The impulse reaches
+  // all blocks that closing springs connect to them. Other closing springs are compressed by blocks that lie on them
+  // from the start, without an impact. Returns one entry per element.
+  std::vector<bool> blocks_that_met() const {
+    const Model& model = of_.scene.model;
+    std::vector<bool> hit(model.elements.size());
     std::vector<std::size_t> closing;
     Touches touches;
     for (std::size_t i = 0; i < of_.touches.size(); ++i) {
@@ -91,24 +109,18 @@ class CleanUp {
       closing.push_back(i);
       touches.push_back(of_.touches[i]);
     }
-    std::vector<bool> met(of_.touches.size());
-    if (closing.empty()) return met;
-    const Model& model = of_.scene.model;
+    if (closing.empty()) return hit;
     const ConnectedSets sets(model, pairs_of(model, touches), {});
     const auto at_start = vertices_at(model, of_.scene.reference, of_.start.q);
-    std::vector<bool> of_sets(model.elements.size());
-    const auto elements_of = [&](std::size_t i) {
-      return std::array{model.vertices[of_.touches[i].vertex].element, model.vertices[of_.touches[i].start].element};
-    };
+    std::vector<bool> is_hit(model.elements.size());  // by the number of a set
     for (const std::size_t i : closing) {
       if (!is_apart(of_.touches[i], at_start, of_.scales.size) && of_.speeds[i] >= -of_.scales.acceleration * of_.whole)
         continue;
       for (const ElementIndex e : elements_of(i))
-        if (model.elements[e].can_move()) of_sets[sets.of(e)] = true;
+        if (model.elements[e].can_move()) is_hit[sets.of(e)] = true;
     }
-    for (const std::size_t i : closing)
-      met[i] = std::ranges::any_of(elements_of(i), [&](ElementIndex e) { return of_sets[sets.of(e)]; });
-    return met;
+    for (const ElementIndex e : indices(model.elements)) hit[static_cast<std::size_t>(e.value)] = is_hit[sets.of(e)];
+    return hit;
   }
 
   // A part of a step may resolve strains that the whole step does not, and pushes would give them a rate. The next part
@@ -176,6 +188,10 @@ class CleanUp {
     const double tangential = of_.smooth.forces[static_cast<Eigen::Index>(2 * i + 1)];
     if (sticks(of_.smooth.laws[i], normal(i), tangential)) return {.sticks = true};
     return {.friction = tangential / normal(i)};
+  }
+
+  double passed_on_by(std::size_t i) const {
+    return of_.smooth.laws[i].is_bonded ? 0 : of_.smooth.laws[i].force.friction;
   }
 
   const ClosingStep& of_;

@@ -315,12 +315,17 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
   problem.b.tail(of_points) -= wanted_velocities(scene.held, time + dt / 2, dt);
   Eigen::VectorXd had = Eigen::VectorXd::Zero(problem.w.rows());  // forces with a law for the whole impulse
   for (std::size_t i = 0; i < slips.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
     problem.laws.push_back(slips[i].sticks ? kHeld : kBilateral);
+    if (slips[i].passes_on) {
+      problem.laws.back() = {*slips[i].passes_on};
+      problem.b[n] = std::max(problem.b[n], 0.0);
+    }
     if (!slips[i].coulomb) continue;
     problem.laws.back().friction = *slips[i].coulomb;
-    had.segment<2>(static_cast<Eigen::Index>(2 * i)) = answered.per_force * slips[i].force;
+    had.segment<2>(n) = answered.per_force * slips[i].force;
   }
-  const bool has_coulomb = std::ranges::any_of(slips, [](const HeldSlip& slip) { return slip.coulomb.has_value(); });
+  const bool has_coulomb = std::ranges::any_of(slips, &HeldSlip::has_law_of_impulse);
   if (has_coulomb) problem.b -= problem.w * had;
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   problem.goal = of_impacts::kImpulseTolerance * largest_momentum(scene, v) / (dt * dt) + of_impacts::kSmallest;
@@ -339,7 +344,7 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
     change = 0;
     for (std::size_t i = 0; i < closed.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
-      if (slips[i].sticks || slips[i].coulomb) continue;
+      if (slips[i].sticks || slips[i].has_law_of_impulse()) continue;
       const double before = std::exchange(friction[n + 1], slips[i].friction * pushes[n]);
       change = std::max(change, std::abs(friction[n + 1] - before));
     }

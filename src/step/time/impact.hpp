@@ -71,13 +71,16 @@ UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, 
 /// Returns velocities without the strain rates of blocks.
 UnknownsTable rigid_part(UnknownsTable v);
 
-/// Tangential behaviour of a contact with fixed normal velocity. It slides freely, slides with friction, or sticks, or
-/// Coulomb's law governs the impulse of the whole step.
+/// Behaviour of a contact in the clean-up. Its normal velocity stops, and it slides freely, slides with friction, or
+/// sticks, or Coulomb's law governs the impulse of the whole step. Or it passes on impulses and only stops closing.
 struct HeldSlip {
   double friction = 0;  ///< over the normal force
   bool sticks = false;
   std::optional<double> coulomb = std::nullopt;     ///< tangent of the angle of friction
   Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< force of the contact in the step, used with `coulomb`
+  /// Tangent of the angle of friction of a contact that may open, and must not close faster than before.
+  std::optional<double> passes_on = std::nullopt;
+  bool has_law_of_impulse() const { return coulomb || passes_on; }
 };
 
 /// Response to a push: by the inertia that a step reaches, M + θ dt² K, or by the mass alone.
