@@ -19,7 +19,8 @@ namespace {
 using namespace tolerances;
 
 // Work of a contact force over twice the overlap that stopped strain rates would make in the next step. The unit is the
-// largest load times the size of blocks. Slivers, which strain fast, stay below it; more would cost time.
+// largest load, or what stops the largest momentum in a step, times the size of blocks. Slivers, which strain fast,
+// stay below it; more would cost time.
 constexpr double kWorkOfOverlap = 3e-6;
 
 class CleanUp {
@@ -36,7 +37,9 @@ class CleanUp {
   }
 
   CleanedVelocities run() const {
-    PushedVelocities pushed = pushed_by({flexibility(), of_.rule.end_velocity.increment});
+    const double per_force = of_.rule.end_velocity.increment;
+    PushedVelocities pushed = stops_strain() && of_.dt < of_.whole ? pushed_by({flexibility_of_part(), per_force})
+                                                                   : pushed_by({of_.smooth.flexibility, per_force});
     const bool has_inertia_of_step =
         std::ranges::any_of(touches_, [&](const Touch& touch) { return resolves_impact(of_.scene, touch); });
     if (!has_inertia_of_step) return {std::move(pushed.v), pushed.given};
@@ -76,7 +79,8 @@ class CleanUp {
   void put_springs(std::vector<Part>& parts) const {
     const std::vector<bool> hit = blocks_that_met();
     const Eigen::VectorXd stopped = rates(of_.smooth.rows, plus(before_, -1, of_.smooth.v));
-    const double least_work = kWorkOfOverlap * of_.scales.force * of_.scales.size;
+    const double force = of_.scales.force > 0 ? of_.scales.force : of_.scales.momentum / of_.whole;
+    const double least_work = kWorkOfOverlap * force * of_.scales.size;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (!of_.closed[i] || !has_spring(i)) continue;
       const double overlap = std::abs(stopped[static_cast<Eigen::Index>(2 * i)]) * of_.whole;
@@ -125,9 +129,8 @@ class CleanUp {
 
   // A part of a step may resolve strains that the whole step does not, and pushes would give them a rate. The next part
   // would make a strain of it. Such blocks answer as rigid ones.
-  Flexibility flexibility() const {
+  Flexibility flexibility_of_part() const {
     Flexibility answering = of_.smooth.flexibility;
-    if (!(stops_strain() && of_.dt < of_.whole)) return answering;
     const Table<ElementIndex, UnknownBlock> rigid = rigid_mass_inverses(of_.scene.bodies());
     for (const ElementIndex e : indices(answering.blocks))
       if (is_unresolved(of_.scene.bodies()[e], of_.whole)) answering.blocks[e] = rigid[e] / of_.rule.inertia.increment;
