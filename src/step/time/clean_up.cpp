@@ -86,11 +86,12 @@ class CleanUp {
       const double overlap = std::abs(stopped[static_cast<Eigen::Index>(2 * i)]) * of_.whole;
       const bool has_met =
           std::ranges::any_of(elements_of(i), [&](ElementIndex e) { return hit[static_cast<std::size_t>(e.value)]; });
-      const bool sticks_to_cover = resolves_impact(of_.scene, of_.touches[i]) &&
-                                   (was_open(i) || (slip_held(i).sticks && !of_.smooth.laws[i].is_bonded));
+      const bool is_of_cover = resolves_impact(of_.scene, of_.touches[i]);
+      const bool sticks_to_cover =
+          is_of_cover && (was_open(i) || (slip_held(i).sticks && !of_.smooth.laws[i].is_bonded));
       if (sticks_to_cover || normal(i) * overlap > least_work || (has_met && was_open(i)))
         parts[i] = Part::stops;
-      else if (has_met)
+      else if (has_met && !is_of_cover)
         parts[i] = Part::passes_on;
     }
   }
