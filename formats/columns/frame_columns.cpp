@@ -22,10 +22,17 @@ Components components(const PlasticState& s) {
   return {s.xx, s.yy, s.xy, s.zz};
 }
 
+PlasticState plastic_of(const ElementFrame& element) {
+  return element.plastic.value_or(PlasticState{});
+}
+PlasticState plastic_of(const FieldCorner* corner) {
+  return corner->plastic.value_or(PlasticState{});
+}
+
 template <class Row>
 void add_plastic(const ColumnFiller<Row>& fill) {
-  fill.tensor("plastic_strain", [](const Row& r) { return components(r.plastic.value_or(PlasticState{})); });
-  fill.real("equivalent_plastic_strain", [](const Row& r) { return r.plastic.value_or(PlasticState{}).equivalent; });
+  fill.tensor("plastic_strain", [](const Row& r) { return components(plastic_of(r)); });
+  fill.real("equivalent_plastic_strain", [](const Row& r) { return plastic_of(r).equivalent; });
 }
 
 /// Returns the number of fixed points of each block, by its number.
@@ -67,10 +74,8 @@ FramePart blocks_of(const Frame& frame, const FieldFrame& field) {
       "area", [](E e) { return e.area; }, Digits::seven);
   if (frame.plastic) {
     add_plastic(fill);
-    fill.integer("yield_state",
-                 [](E e, std::size_t) { return static_cast<int>(e.plastic.value_or(PlasticState{}).region); });
-    fill.integer("has_yielded",
-                 [](E e, std::size_t) { return e.plastic.value_or(PlasticState{}).has_yielded ? 1 : 0; });
+    fill.integer("yield_state", [](E e, std::size_t) { return static_cast<int>(plastic_of(e).region); });
+    fill.integer("has_yielded", [](E e, std::size_t) { return plastic_of(e).has_yielded ? 1 : 0; });
   }
   return part;
 }
@@ -114,14 +119,15 @@ FramePart corners_of(const Frame& frame, const FieldFrame& field) {
   fill.integer("row", [](const Place& p, std::size_t) { return p.row; });
   fill.xy("place", [](const Place& p) { return p.at; });
   if (field.elements.empty()) return part;
-  std::vector<FieldCorner> corners;
+  std::vector<const FieldCorner*> corners;
   corners.reserve(places.size());
   for (const FieldElement& element : field.elements)
-    for (const std::vector<FieldCorner>& loop : element.loops) corners.insert(corners.end(), loop.begin(), loop.end());
+    for (const std::vector<FieldCorner>& loop : element.loops)
+      for (const FieldCorner& corner : loop) corners.push_back(&corner);
   const ColumnFiller within(part, corners);
-  within.xy("displacement", [](const FieldCorner& c) { return c.displacement; });
+  within.xy("displacement", [](const FieldCorner* c) { return c->displacement; });
   if (field.is_of_blocks || field.is_uniform) return part;
-  within.tensor("stress", [](const FieldCorner& c) { return components(c.stress); });
+  within.tensor("stress", [](const FieldCorner* c) { return components(c->stress); });
   if (field.plastic) add_plastic(within);
   return part;
 }

@@ -215,7 +215,7 @@ void RunFolder::describe(Archive& archive) {
   archive.group("histories", [&] { histories_.describe(archive); });
 }
 
-void RunFolder::add(const Frame& frame, FieldFrame field, const ContactFrames& contacts, formats::FrameStage stage) {
+void RunFolder::add(Frame frame, FieldFrame field, const ContactFrames& contacts, formats::FrameStage stage) {
   const auto columns = formats::columns_of(frame, frame_tables_.shown(contacts), field, std::move(stage));
   field = {};  // in the columns; large bodies need the room
   frame_files_.write(columns, units_);
@@ -225,7 +225,7 @@ void RunFolder::add(const Frame& frame, FieldFrame field, const ContactFrames& c
     listed_ = now;
   }
   if (trace_ == Trace::no && frames_.size() == 2) frames_.pop_back();
-  frames_.push_back(frame);
+  frames_.push_back(std::move(frame));
 }
 
 void RunFolder::add_histories(const std::string& rows) {

@@ -89,7 +89,7 @@ class RunFolder {
   void remove_checkpoint();
 
   /// Writes the files of a frame at once, and appends its rows to the tables. Writes fields.pvd at intervals.
-  void add(const Frame& frame, FieldFrame field = {}, const ContactFrames& contacts = {},
+  void add(Frame frame, FieldFrame field = {}, const ContactFrames& contacts = {},
            formats::FrameStage stage = {});
 
   /// Selects the output of contacts, before the first frame.

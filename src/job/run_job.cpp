@@ -168,10 +168,10 @@ void RunJob::write_tables(const LedgerScope& scope) {
 }
 
 Observer RunJob::observer() {
-  return {[&](const Frame& frame) {
+  return {[&](Frame frame) {
             account_->add(frame, stepper_->model());
-            folder_.add(frame, std::exchange(field_, {}), account_->contacts(),
-                        stage_of(*stepper_, account_->is_static(), frame));
+            formats::FrameStage stage = stage_of(*stepper_, account_->is_static(), frame);
+            folder_.add(std::move(frame), std::exchange(field_, {}), account_->contacts(), std::move(stage));
           },
           [&](const StepReport& report) {
             account_->add(report);

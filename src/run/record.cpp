@@ -219,6 +219,7 @@ FieldFrame field_of(const Model& model, const Stepper& stepper) {
                        field.plastic ? stepper.plastic_at(e, at) : std::nullopt};
   };
   const std::vector<int> bodies = body_numbers(model);
+  field.elements.reserve(model.elements.size());
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const Point centroid = start.elements[e].centroid;

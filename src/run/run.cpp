@@ -93,10 +93,9 @@ RunOutcome StepLoop::end() {
 
 void StepLoop::show() {
   if (!observer_.on_frame) return;
-  const Frame frame = frame_now(stepper_);
   if (observer_.on_field) observer_.on_field(field_of(stepper_.model(), stepper_));
   if (observer_.on_contacts) observer_.on_contacts(stepper_.contacts());
-  observer_.on_frame(frame);
+  observer_.on_frame(frame_now(stepper_));
 }
 
 void StepLoop::keep_row() {

@@ -22,7 +22,7 @@ namespace keyblock {
 
 /// Callbacks of a run. Any may be empty.
 struct Observer {
-  std::function<void(const Frame&)> on_frame;
+  std::function<void(Frame)> on_frame;
   std::function<void(const StepReport&)> on_step;
   /// At the start and after every step. Without measured points the rows hold all centroids, and come with the frames.
   std::function<void(const HistoryRow&)> on_row;

@@ -15,11 +15,14 @@ void StaticStepper::put_places() {
   const Model& model = scene_.model;
   Table<VertexIndex, Point> start;
   Table<VertexIndex, Point> vertices;
+  start.reserve(model.vertices.size());
+  vertices.reserve(model.vertices.size());
   for (const VertexIndex v : indices(model.vertices)) {
     start.push_back(model.start_vertices[static_cast<std::size_t>(v.value)]);
     vertices.push_back(place_of(model.vertices[v].element, start[v]));
   }
-  state_.elements = Table<ElementIndex, ElementState>();
+  state_.elements.clear();
+  state_.elements.reserve(model.elements.size());
   for (const ElementIndex e : indices(model.elements)) {
     const Point centroid = place(model, start, e, scene_.settings).centroid;
     const Unknowns none = Unknowns::Zero(model.elements[e].basis->unknown_count());
