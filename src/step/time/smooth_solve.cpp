@@ -105,7 +105,11 @@ class SmoothSolve {
     const bool forces_suffice = free_.is_linear() && std::isfinite(change_) &&
                                 unsolved_ <= std::max(contacts_.problem().acceptable, tolerance_.tolerated);
     const double tolerable = free_.has_kinks() ? of_smooth_motion::kTolerableOfYield : of_smooth_motion::kTolerable;
-    result_.converged = result_.converged && (change_ <= tolerable || forces_suffice);
+    const bool has_settled = change_ <= tolerable || forces_suffice;
+    // The forces of two estimates may each solve their own gaps: what is unsolved is their error in those of the other.
+    if (!has_settled && free_.is_linear() && std::isfinite(unsolved_))
+      result_.residual = std::max(result_.residual, unsolved_);
+    result_.converged = result_.converged && has_settled;
   }
 
   // Retries from the velocity alone, for blocks that the last acceleration would carry away. Examples are a sliver free
