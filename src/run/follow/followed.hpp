@@ -10,21 +10,10 @@
 #include "problem/output_plan.hpp"
 #include "problem/run_choices.hpp"
 #include "run/follow/drawn_joints.hpp"
+#include "run/follow/history_values.hpp"
 #include "step/stepper.hpp"
 
 namespace keyblock {
-
-/// Unit names of the table; letters if the case does not declare the units.
-struct FollowedUnits {
-  explicit FollowedUnits(const Units& units = {});
-
-  std::string length;
-  std::string velocity;
-  std::string rotation_rate;
-  std::string force;
-  std::string stress;
-  std::string moment;
-};
 
 /// Names the energy balance where histories are read by name; no history has it.
 inline constexpr std::string_view kBalanceName = "ledger";
@@ -37,15 +26,6 @@ std::vector<HistoryPlan> with_names_apart(std::vector<HistoryPlan> plans);
 
 /// Throws InputError at the place of the plan if contacts are to be chosen by histories, and no history has contacts.
 void require_choice(const OutputPlan& plan);
-
-/// Value of a history at one instant.
-struct FollowedValue {
-  std::string what;  ///< "point"
-  std::string name;
-  std::string quantity;  ///< "displacement_x"
-  double value = 0;
-  std::string unit;
-};
 
 /// Returns lines `step,time,what,name,quantity,value,unit` of histories.csv.
 std::string history_lines(const std::vector<FollowedValue>& values, int step, double time);
