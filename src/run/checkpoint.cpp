@@ -54,8 +54,24 @@ void require(bool done) {
   if (!done) throw Refused("HDF5 cannot read or write a dataset");
 }
 
+/// Keeps HDF5 from printing its errors, which this file reports itself. A caller of the library may want its own
+/// printed.
+class Silence {
+ public:
+  Silence() {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+  ~Silence() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
+
 Handle access_in_memory() {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // this program reports failures itself
   return {H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
 }
 
@@ -101,6 +117,7 @@ void write(hid_t place, const ArchiveNode& node) {
 // The data are sound and stay in memory: if HDF5 fails, memory is short.
 std::string image_of(const ArchiveNode& root) try {
   const std::lock_guard lock(hdf5());
+  const Silence silence;
   const Handle access = access_in_memory();
   H5Pset_fapl_core(access, kGrowth, false);
   const Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
@@ -172,6 +189,7 @@ void read_children(hid_t group, std::size_t most, ArchiveNode& node) {
 
 std::unique_ptr<ArchiveNode> tree_of(std::string image) {
   const std::lock_guard lock(hdf5());
+  const Silence silence;
   const Handle access = access_in_memory();
   H5Pset_fapl_core(access, kGrowth, false);
   require(H5Pset_file_image(access, image.data(), image.size()) >= 0);

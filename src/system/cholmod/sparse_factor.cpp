@@ -8,6 +8,7 @@
 #include <Eigen/CholmodSupport>
 #include <cmath>
 #include <mutex>
+#include <optional>
 
 #include "base/loop.hpp"
 
@@ -31,13 +32,30 @@ class Factor : public Eigen::CholmodSupernodalLLT<Sparse, Eigen::Lower> {
 };
 
 // CHOLMOD requests four OpenMP threads at every front, regardless of OMP_NUM_THREADS; for a one-thread program they
-// take a seventh more processor time. The function exists if CHOLMOD was built with OpenMP; it applies to the calling
-// thread.
-void keep_to_threads_of_loops() {
+// take a seventh more processor time. This limits them to those of our loops for its lifetime: a caller of the library
+// may have parallel regions of its own. The functions exist if CHOLMOD was built with OpenMP.
+class ThreadsOfLoops {
+ public:
+  ThreadsOfLoops() {
+    static const auto levels = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
+    if (!levels || !set_levels()) return;
+    before_ = levels();
+    set_levels()(loop_threads() == 1 ? 0 : 1);
+  }
+  ThreadsOfLoops(const ThreadsOfLoops&) = delete;
+  ThreadsOfLoops& operator=(const ThreadsOfLoops&) = delete;
+  ~ThreadsOfLoops() {
+    if (before_) set_levels()(*before_);
+  }
+
+ private:
   using Set = void (*)(int);
-  static const auto set_levels = reinterpret_cast<Set>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
-  if (set_levels) set_levels(loop_threads() == 1 ? 0 : 1);
-}
+  static Set set_levels() {
+    static const auto function = reinterpret_cast<Set>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
+    return function;
+  }
+  std::optional<int> before_;
+};
 
 // One thread of the process at a time: two that factorised or solved at once, each with a factorisation of its own,
 // changed each other's last digits. The BLAS of Debian behind CHOLMOD is a single one for programs of one thread.
@@ -91,7 +109,7 @@ void SparseFactor::factorise(const Sparse& lower) {
   cholmod_->set_scaled(lower);
   Factor& factor = cholmod_->factor;
   const std::scoped_lock lock(guard());
-  keep_to_threads_of_loops();
+  const ThreadsOfLoops threads;
   factor.factorize(cholmod_->scaled);
   if (factor.info() != Eigen::Success)
     throw NotPositiveDefinite(
