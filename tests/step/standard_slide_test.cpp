@@ -182,6 +182,32 @@ TEST(StandardSlide, a_block_that_falls_less_than_in_one_step_rests_where_it_meet
   }
 }
 
+// A sliding contact stops within a step. Its way in that step is slip, not a stretch of the spring, which would throw
+// the block back. The way is v²/(2 g tan phi), to that of one step.
+TEST(StandardSlide, a_block_that_friction_stops_on_level_ground_stays) {
+  for (const Choice& choice : kChoices) {
+    for (double dt : {2e-2, 5e-3, 1e-3}) {
+      for (const double friction : {20.0, 45.0}) {
+        constexpr double kSpeed = 0.3;
+        constexpr double kVibration =
+            1e-3;  // of an affine block whose friction ends; a stretch would give 5e-3 at 1 ms
+        StandardStepper stepper(slope_scene(0, friction, dt, choice, kSpeed));
+        const State start = stepper.state();
+        const double time = kSpeed / (kGravity * std::tan(radians(friction)));
+        run_to(stepper, dt * (2 + std::ceil(time / dt)));
+        const std::string what = fmt::format("{}, dt {}, friction {}", name_of(choice), dt, friction);
+        const double way = slip(stepper, start, 0);
+        EXPECT_NEAR(way, kSpeed * time / 2, kSpeed * dt) << what;
+        for (int step = 0; step < 10; ++step) {
+          run_to(stepper, stepper.state().time + dt);
+          EXPECT_LE(length(velocity(stepper)), kVibration) << what;
+        }
+        EXPECT_NEAR(slip(stepper, start, 0), way, 1e-5) << what;
+      }
+    }
+  }
+}
+
 // dda-04: at the friction angle of the slope and above, the block stays.
 TEST(StandardSlide, a_block_at_its_friction_angle_and_above_does_not_creep) {
   for (const Choice& choice : kChoices) {

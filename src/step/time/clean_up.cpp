@@ -44,7 +44,7 @@ class CleanUp {
         std::ranges::any_of(touches_, [&](const Touch& touch) { return resolves_impact(of_.scene, touch); });
     if (!has_inertia_of_step) return {std::move(pushed.v), pushed.given};
     pushed = without_gain(std::move(pushed));
-    // Pushes that the mass answers give strains rates, of which the next step would make strains.
+    // Pushes that the mass answers give rates to strains, of which the next step would make strains.
     if (stops_strain()) stop_unresolved(of_.scene.bodies(), of_.whole, pushed.v);
     const double given_up = kinetic_energy(of_.scene, before_) - kinetic_energy(of_.scene, pushed.v);
     return {std::move(pushed.v), pushed.given, std::max(0.0, given_up)};

@@ -32,7 +32,8 @@ struct CleanedVelocities {
 };
 
 /// Returns the velocities at the end of the step: strain rates that it does not resolve are stopped, contacts with
-/// multipliers and springs that met have no normal velocity, and supports have theirs.
+/// multipliers and springs that met have no normal velocity, and supports have theirs. Where pushes gave such strain
+/// rates, these are stopped last, which may leave contacts of that block a small velocity.
 CleanedVelocities cleaned_up(const ClosingStep& of);
 
 /// Returns true if the gap is above kTouching of the size of bodies.

@@ -325,8 +325,8 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
     problem.laws.back().friction = *slips[i].coulomb;
     had.segment<2>(n) = answered.per_force * slips[i].force;
   }
-  const bool has_coulomb = std::ranges::any_of(slips, &HeldSlip::has_law_of_impulse);
-  if (has_coulomb) problem.b -= problem.w * had;
+  const bool has_laws_of_impulse = std::ranges::any_of(slips, &HeldSlip::has_law_of_impulse);
+  if (has_laws_of_impulse) problem.b -= problem.w * had;
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   problem.goal = of_impacts::kImpulseTolerance * largest_momentum(scene, v) / (dt * dt) + of_impacts::kSmallest;
   problem.acceptable = of_impacts::kLooser * problem.goal;
@@ -339,7 +339,7 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
   double change = 0;
   for (int round = 0; round < of_impacts::kMostFrictionRounds; ++round) {
     // If no contact slips by Coulomb's law, the fallback of `solve` could not improve on Newton's method.
-    pushes = (has_coulomb ? solve(problem, pushes) : newton(problem, pushes)).forces;
+    pushes = (has_laws_of_impulse ? solve(problem, pushes) : newton(problem, pushes)).forces;
     if (round == 0) smooth = pushes;
     change = 0;
     for (std::size_t i = 0; i < closed.size(); ++i) {

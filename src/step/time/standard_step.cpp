@@ -115,8 +115,17 @@ class Attempt {
     step_.motion.bonds = smooth_.bonds;
     step_.motion.constraints = smooth_.constraints;
     put_closed();
-    CleanedVelocities of_contacts = cleaned_up(
-        {scene_, start_, smooth_, rule_, scales_, parts_.smooth, parts_.smooth_speeds, closed_, time_, dt_, whole_});
+    CleanedVelocities of_contacts = cleaned_up({.scene = scene_,
+                                                .start = start_,
+                                                .smooth = smooth_,
+                                                .rule = rule_,
+                                                .scales = scales_,
+                                                .touches = parts_.smooth,
+                                                .speeds = parts_.smooth_speeds,
+                                                .closed = closed_,
+                                                .time = time_,
+                                                .dt = dt_,
+                                                .whole = whole_});
     step_.motion.v = std::move(of_contacts.v);
     step_.motion.given_up = of_contacts.given_up;
     SupportWork given{of_contacts.given, 0};
@@ -189,17 +198,23 @@ class Attempt {
     return others;
   }
 
-  // Springs have the force of the step; at its end the gap compresses them.
+  // Springs have the force of the step; at its end the gap compresses them. A sticking contact stretches its spring by
+  // its whole slip. A contact of blocks that slid until now stops within the step: its slip by the start velocity is no
+  // stretch, of which the next step would make a velocity back.
   void remember() {
     const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const Eigen::VectorXd way = rates(smooth_.rows, plus(smooth_.q, -1, start_.q));
+    const Eigen::VectorXd at_end = rates(smooth_.rows, smooth_.v);
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
       if (!closed_[i]) continue;
       const auto t = static_cast<Eigen::Index>(2 * i + 1);
       const ContactLaw& law = smooth_.laws[i];
       const Touch& touch = parts_.smooth[i];
-      ContactMemory memory = memory_of(law, normal(i), smooth_.forces[t], way[t], start_.closed.of(touch));
+      const ContactMemory* before = start_.closed.of(touch);
+      const bool is_all_stretch = smooth_.way_laws[i] || (before && sticks(law, before->normal, before->tangential));
+      const double stretch = is_all_stretch ? way[t] : at_end[t] / rule_.end_velocity.increment;
+      ContactMemory memory = memory_of(law, normal(i), smooth_.forces[t], stretch, before);
       if (law.normal_compliance > 0) {
         const double by_gap = std::max(law.force.least, (law.rest_gap - gap_of(touch, end)) / law.normal_compliance);
         memory.compression = by_gap * law.normal_compliance;
