@@ -78,7 +78,6 @@ class ColumnFiller {
 
   template <class T>
   void add(std::string_view name, RowShape shape, std::vector<T> numbers, Digits digits) const {
-    if (rows_.empty()) return;
     part_.columns.push_back(
         {name, shape, std::make_shared<const std::vector<T>>(std::move(numbers)), digits == Digits::seven});
   }

@@ -41,7 +41,7 @@ struct FrameStage {
   std::optional<double> load_factor = {};  ///< of load steps or crack growth
 };
 
-/// All parts of one instant; those without rows are present, without columns.
+/// All parts of one instant; those without rows have their columns too.
 struct FrameColumns {
   int step = 0;
   double time = 0;

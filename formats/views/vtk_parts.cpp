@@ -30,16 +30,14 @@ std::string counts_of(const Cells& cells) {
   return fmt::format("NumberOfPoints=\"{}\" NumberOf{}=\"{}\"", points_of(cells), cells.word, cells.count);
 }
 
-/// A part without rows may lack the column.
-std::vector<Point> places_of(const FrameColumn* column) {
+std::vector<Point> places_of(const FrameColumn& column) {
   std::vector<Point> places;
-  if (!column) return places;
-  const std::span<const double> numbers = column->reals();
+  const std::span<const double> numbers = column.reals();
   for (std::size_t i = 0; i < numbers.size(); i += 2) places.push_back({numbers[i], numbers[i + 1]});
   return places;
 }
 
-void add_cells(VtkFile& file, const Cells& cells, const FrameColumn* column) {
+void add_cells(VtkFile& file, const Cells& cells, const FrameColumn& column) {
   const std::vector<Point> places = places_of(column);
   std::vector<std::int32_t> connectivity(places.size()), offsets(cells.count);
   std::iota(connectivity.begin(), connectivity.end(), 0);
@@ -63,7 +61,7 @@ std::string lines_vtp(const FrameColumns& frame, const FramePart& part, const Ru
   file.begin("CellData");
   add_arrays(file, part, table, units, ArraysOf::rows);
   file.end();
-  add_cells(file, cells, part.find("ends"));
+  add_cells(file, cells, part.at("ends"));
   return std::move(file).text();
 }
 
@@ -76,7 +74,7 @@ std::string contacts_vtp(const FrameColumns& frame, const Units& units, VtkCodin
   file.begin("PointData");
   add_arrays(file, part, kContactArrays, units, ArraysOf::rows);
   file.end();
-  add_cells(file, cells, part.find("place"));
+  add_cells(file, cells, part.at("place"));
   return std::move(file).text();
 }
 

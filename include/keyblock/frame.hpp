@@ -33,12 +33,13 @@ class Column {
   std::size_t width_;
 };
 
-/// One instant as columns, made once; all that is handed out shares them. n blocks (or NMM elements), c contacts,
+/// One instant as columns, made once; all that is handed out shares them. `unit` has the units. Signs are those of the
+/// tables: tension positive in stress, pressure positive in contacts. n blocks (or NMM elements), c contacts,
 /// p measured points, t crack tips. `names` lists all columns; most have a function of their own too.
 class KEYBLOCK_API Frame {
  public:
-  int step() const;
-  double time() const;
+  int step() const;            ///< 0 before the first
+  double time() const;         ///< [time]
   double load_factor() const;  ///< by which crack growth multiplies the loads
   /// 0, and one more each time that blocks come, go, split or change their undeformed outline: a stage excavates, a
   /// crack grows. Frames of one epoch of a run have the same blocks, loops and corners in the same rows.
@@ -48,15 +49,16 @@ class KEYBLOCK_API Frame {
   static std::vector<std::string> parts();
   /// Columns of a part; those of any frame if it has no rows. Throws SettingError for another part.
   std::vector<std::string> names(std::string_view part) const;
-  std::size_t rows(std::string_view part) const;
-  bool is_integer(std::string_view part, std::string_view name) const;
+  std::size_t rows(std::string_view part) const;                        ///< throws SettingError for another part
+  bool is_integer(std::string_view part, std::string_view name) const;  ///< throws as `reals`
   /// Names of the numbers of a row, such as "x" and "y"; none for a single number. Throws SettingError for a column that
   /// no frame has.
   std::vector<std::string> components(std::string_view part, std::string_view name) const;
   /// Unit of a column, such as "N/m"; empty for a plain number, and if the case does not declare the units. Throws
   /// SettingError for one that no frame has.
   std::string unit(std::string_view part, std::string_view name) const;
-  /// Throw SettingError for a column that is not there; without rows each is empty and of width 1.
+  /// Throw SettingError for a column that is not there, or holds the other kind of numbers. A part without rows has
+  /// empty columns of the same widths.
   Column<double> reals(std::string_view part, std::string_view name) const;
   Column<int> integers(std::string_view part, std::string_view name) const;
 
@@ -79,8 +81,8 @@ class KEYBLOCK_API Frame {
   Column<int> contact_state() const { return integers("contacts", "state"); }    ///< c: 0 open, 1 sticks, 2 slides
   Column<double> contact_point() const { return reals("contacts", "place"); }    ///< c × 2
   Column<double> contact_normal() const { return reals("contacts", "normal"); }  ///< c × 2, unit, out of the other
-  Column<double> contact_pressure() const { return reals("contacts", "normal_force"); }  ///< c, over thickness
-  Column<double> contact_shear() const { return reals("contacts", "shear_force"); }      ///< c, over thickness
+  Column<double> contact_pressure() const { return reals("contacts", "normal_force"); }  ///< c, force over thickness
+  Column<double> contact_shear() const { return reals("contacts", "shear_force"); }      ///< c, force over thickness
   Column<double> contact_gap() const { return reals("contacts", "gap"); }  ///< c, positive where faces are apart
 
   struct Data;

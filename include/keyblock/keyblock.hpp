@@ -84,13 +84,14 @@ class KEYBLOCK_API Plan {
  public:
   /// Throws InputError, SettingError.
   explicit Plan(const Case& of, const Choices& choices = {}, const Context& context = Context());
-  const std::string& profile() const;
-  const std::string& why_profile() const;
+  const std::string& profile() const;                                 ///< "standard", "legacy", "draft" or "reference"
+  const std::string& why_profile() const;                             ///< in words: who chose it
   std::vector<std::pair<std::string, std::string>> settings() const;  ///< name and value, all
   std::vector<Warning> warnings() const;                              ///< of reading, preparing and looking ahead
+  /// Of the scene at the start: six of each affine block that can move, three of a rigid one, two of each cover function.
   int unknowns() const;
   int blocks() const;  ///< on covers: elements
-  int steps() const;
+  int steps() const;   ///< most of them, in all stages
   /// Times of the start and of all steps, if none is cut and no stage ends early [time].
   std::vector<double> step_times() const;
 
@@ -104,10 +105,10 @@ class KEYBLOCK_API Plan {
 /// An accepted step.
 struct Step {
   int number = 0;
-  double time = 0, dt = 0;
-  int systems = 0;      ///< solves of contact forces, or rounds of open and close
-  double residual = 0;  ///< out of balance, over the largest load
-  double penetration = 0;
+  double time = 0, dt = 0;  ///< at its end, and its length [time]
+  int systems = 0;          ///< solves of contact forces, or rounds of open and close
+  double residual = 0;      ///< out of balance, over the largest load
+  double penetration = 0;   ///< deepest of all contacts [length]
 };
 
 /// Content of a frame. `corners` adds the displacement of all corners, their stress if it varies within elements, and
@@ -122,16 +123,18 @@ struct Outcome {
   std::string failure;     ///< its kind: "no_equilibrium", "undecided" or "cracks"; empty without a failure
   std::string cause;       ///< its code, such as "contacts_do_not_settle"; empty without one
   Facts facts;             ///< the values behind the reason; `blocks`: those that move away or turned inside out
-  int steps = 0;
-  double time = 0;
-  double displacement = std::nan("");  ///< the largest of any corner at the end, from the drawing; no number before
-  double speed = std::nan("");         ///< of the fastest block at the end; no number before
+  int steps = 0;           ///< accepted
+  double time = 0;         ///< reached [time]
+  /// The largest of any corner at the end, from the drawing [length]; no number before.
+  double displacement = std::nan("");
+  double speed = std::nan("");         ///< of the fastest block at the end [length/time]; no number before
   std::vector<std::string> sentences;  ///< how the motion ended
   std::vector<Warning> warnings;       ///< of the plan and the run, doubts among them
   std::vector<Warning> doubts;
 };
 
-/// Steps made one at a time. Prints nothing and writes nothing.
+/// Steps made one at a time, by one thread at a time. Prints nothing and writes nothing. One that was moved from may
+/// only be assigned to or destroyed.
 class KEYBLOCK_API Run {
  public:
   /// Computes the initial state. Throws InputError, Stopped.
@@ -156,8 +159,8 @@ class KEYBLOCK_API Run {
   std::vector<std::string> histories() const;
   /// Quantities of a history, each with its unit (a letter if the case does not declare it). Throws SettingError.
   std::vector<std::pair<std::string, std::string>> quantities(std::string_view history) const;
-  /// Time and value of a quantity, at the start and after each step; long runs keep every n-th step, as their tables
-  /// do. Throws SettingError for a history or quantity that is not there.
+  /// Time and value of a quantity, at the start and after each step; long runs keep every n-th step and the last one, as
+  /// their tables do. Throws SettingError for a history or quantity that is not there.
   Column<double> history(std::string_view history, std::string_view quantity) const;
 
   struct State;

@@ -107,10 +107,9 @@ using Pairs = std::vector<std::pair<std::string, std::string>>;
 
 /// A view of the numbers of a column. Without rows it has `width` columns, if that is more than 1.
 template <class T>
-py::array view_of(const kb::Column<T>& column, std::size_t width) {
-  const std::size_t columns = column.rows() == 0 ? width : column.width();
+py::array view_of(const kb::Column<T>& column) {
   std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(column.rows())};
-  if (columns > 1) shape.push_back(static_cast<py::ssize_t>(columns));
+  if (column.width() > 1) shape.push_back(static_cast<py::ssize_t>(column.width()));
   auto owner = std::make_unique<kb::Column<T>>(column);
   const py::capsule keeper(owner.release(), [](void* held) { delete static_cast<kb::Column<T>*>(held); });
   py::array_t<T> view(std::move(shape), column.values().data(), keeper);
@@ -118,17 +117,16 @@ py::array view_of(const kb::Column<T>& column, std::size_t width) {
   return view;
 }
 
-/// Contacts are computed here when they are first asked for.
+/// Computes contacts when they are first asked for.
 std::size_t rows_of(const kb::Frame& frame, std::string_view part) {
   const py::gil_scoped_release release;
   return frame.rows(part);
 }
 
 py::array column_of(const kb::Frame& frame, std::string_view part, std::string_view name) {
-  const std::size_t rows = rows_of(frame, part);
-  const std::size_t width = rows > 0 ? 1 : frame.components(part, name).size();
-  if (rows > 0 && frame.is_integer(part, name)) return view_of(frame.integers(part, name), width);
-  return view_of(frame.reals(part, name), width);
+  rows_of(frame, part);
+  if (frame.is_integer(part, name)) return view_of(frame.integers(part, name));
+  return view_of(frame.reals(part, name));
 }
 
 /// A run that several threads of Python may hold.
@@ -251,7 +249,7 @@ class Runner {
   py::array history(const std::string& history, const std::string& quantity) {
     const kb::Column<double> values =
         with_run(true, [history, quantity](kb::Run& run) { return run.history(history, quantity); });
-    return view_of(values, 2);
+    return view_of(values);
   }
 
   kb::Case of() {

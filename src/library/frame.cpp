@@ -7,39 +7,14 @@
 namespace keyblock::api {
 namespace {
 
-/// Returns a column of a part; empty if the part has no rows.
 template <class T>
-Column<T> column_of(const Frame::Data& frame, std::string_view part_name, std::string_view name) {
-  const formats::FramePart& part = frame.part(part_name);
-  if (part.rows == 0) return {std::make_shared<const std::vector<T>>(), 1};
-  const formats::FrameColumn& column = part.at(name);
+Column<T> column_of(const Frame::Data& frame, std::string_view part, std::string_view name) {
+  const formats::FrameColumn& column = frame.part(part).at(name);
   const auto* values = std::get_if<std::shared_ptr<const std::vector<T>>>(&column.numbers);
   if (!values)
-    throw SettingError("column " + std::string(name) + " of " + std::string(part_name) + " holds " +
+    throw SettingError("column " + std::string(name) + " of " + std::string(part) + " holds " +
                        (std::is_same_v<T, int> ? "reals" : "integers"));
   return {*values, formats::width_of(column.shape)};
-}
-
-/// Returns a frame with one row of each part: its columns have the shapes of all frames.
-const formats::FrameColumns& sample() {
-  static const formats::FrameColumns columns = [] {
-    keyblock::Frame one;
-    one.elements.resize(1);
-    one.elements.front().loops.assign(1, {Point{0, 0}});
-    one.bolts.resize(1);
-    one.measured_points.resize(1);
-    one.tips.resize(1);
-    FieldFrame field;
-    field.cracks.push_back({false, {}, {CrackFace{}}});
-    return formats::columns_of(one, ContactFrames(1), field);
-  }();
-  return columns;
-}
-
-/// Returns a part of the frame, or of the sample if it has no rows.
-const formats::FramePart& described(const Frame::Data& frame, std::string_view name) {
-  const formats::FramePart& part = frame.part(name);
-  return part.rows > 0 ? part : sample().part(name);
 }
 
 Measure measure_of(std::string_view part, std::string_view name) {
@@ -84,7 +59,7 @@ std::vector<std::string> Frame::parts() {
 std::vector<std::string> Frame::names(std::string_view part) const {
   return guarded([&] {
     std::vector<std::string> names;
-    for (const formats::FrameColumn& column : described(*data_, part).columns) names.emplace_back(column.name);
+    for (const formats::FrameColumn& column : data_->part(part).columns) names.emplace_back(column.name);
     return names;
   });
 }
@@ -94,12 +69,12 @@ std::size_t Frame::rows(std::string_view part) const {
 }
 
 bool Frame::is_integer(std::string_view part, std::string_view name) const {
-  return guarded([&] { return described(*data_, part).at(name).numbers.index() == 1; });
+  return guarded([&] { return data_->part(part).at(name).numbers.index() == 1; });
 }
 
 std::vector<std::string> Frame::components(std::string_view part, std::string_view name) const {
   return guarded([&]() -> std::vector<std::string> {
-    switch (described(*data_, part).at(name).shape) {
+    switch (data_->part(part).at(name).shape) {
       case formats::RowShape::number:
         return {};
       case formats::RowShape::xy:

@@ -44,9 +44,10 @@ TEST(FrameColumns, blocks_loops_and_corners_fit_together) {
   EXPECT_EQ(blocks.at("displacement").reals()[1], -0.2);
 }
 
-TEST(FrameColumns, a_part_without_rows_has_no_columns_and_an_unknown_name_is_refused) {
+TEST(FrameColumns, a_part_without_rows_has_its_columns_and_an_unknown_name_is_refused) {
   const FrameColumns columns = columns_of(two_blocks(), {});
-  EXPECT_TRUE(columns.part("contacts").columns.empty());
+  EXPECT_EQ(columns.part("contacts").rows, 0U);
+  EXPECT_TRUE(columns.part("contacts").at("normal_force").reals().empty());
   EXPECT_EQ(columns.part("blocks").find("colour"), nullptr);
   EXPECT_THROW(columns.part("blocks").at("colour"), std::invalid_argument);
   EXPECT_THROW(columns.part("clouds"), std::invalid_argument);

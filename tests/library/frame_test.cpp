@@ -61,6 +61,9 @@ TEST(Frames, every_column_that_a_frame_names_is_there_with_its_rows) {
     }
   EXPECT_GT(columns, 25U);
   EXPECT_EQ(end.reals("cracks", "ends").rows(), 0U) << "a part without rows";
+  EXPECT_EQ(end.reals("cracks", "ends").width(), 4U) << "it has its columns";
+  EXPECT_THROW(end.reals("cracks", "colour"), kb::SettingError);
+  EXPECT_THROW(end.reals("cracks", "side"), kb::SettingError) << "it holds integers";
   EXPECT_THROW(end.reals("blocks", "colour"), kb::SettingError);
   EXPECT_THROW(end.reals("blocks", "material"), kb::SettingError) << "it holds integers";
   EXPECT_THROW(end.names("clouds"), kb::SettingError);
