@@ -25,13 +25,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Names the choice in an error about its text.
+template <class Read>
+auto read_choice(const char* choice, const Read& read) {
+  try {
+    return read();
+  } catch (const std::invalid_argument& error) {
+    throw ChoiceError(choice, error.what());
+  }
+}
+
 std::optional<StopCriterion> criterion_of(const std::string& text, const Units& units) {
   if (text.empty()) return std::nullopt;
-  try {
-    return stop_criterion_of(text, units);
-  } catch (const std::invalid_argument& error) {
-    throw ChoiceError("stop-when", error.what());
-  }
+  return read_choice("stop-when", [&] { return stop_criterion_of(text, units); });
 }
 
 RunRequest request_of(const RecordingOptions& options, const OpenCase& read, const PlannedCase& plan,
@@ -178,7 +184,8 @@ RecordedRun::RecordedRun(Beginning beginning)
       plan_->prepared, std::move(record), std::move(request),
       RunJobOptions{options_.folder, options_.overwrite, options_.trace, options_.checkpoint_every,
                     plan_->problem.analysis->place, plan_->problem.outputs, options_.outputs.field,
-                    formats::names_of(input.files), formats::vtk_coding_of(options_.outputs.frames),
+                    formats::names_of(input.files),
+                    read_choice("frames", [&] { return formats::vtk_coding_of(options_.outputs.frames); }),
                     options_.outputs.has_pictures, options_.outputs.has_page,
                     criterion_of(options_.stop_when, plan_->problem.units)},
       checkpoint_.get());

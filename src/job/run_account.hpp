@@ -46,6 +46,8 @@ class RunAccount {
   const Followed& followed() const { return followed_; }
   /// Returns true if tables of histories have a row of this step.
   bool has_row(int step) const;
+  /// Returns true if something is followed, but not with a row of this step.
+  bool lacks_row(int step) const { return !followed_.is_empty() && !has_row(step); }
   /// Returns the followed values of the present state.
   const std::vector<FollowedValue>& values(const Stepper& stepper);
   /// Keeps the histories in memory too, for callers of the library.

@@ -243,9 +243,13 @@ bool RunJob::step() {
   return is_made;
 }
 
+// The last step has a row, as in the other tables, wherever the run ends. It follows what a checkpoint saves, so that a
+// resumed run drops it.
 void RunJob::end() {
   RunOutcome& outcome = account_->record().outcome;
   outcome = loop_->end();
+  if (const State& now = stepper_->state(); account_->lacks_row(now.step))
+    folder_.add_histories(history_lines(account_->values(*stepper_), now.step, now.time));
   if (outcome.end == RunEnd::stopped) outcome.why_early = criterion_met_;
   loop_.reset();
   stepper_.reset();

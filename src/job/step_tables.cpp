@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <variant>
 
 #include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
@@ -12,26 +14,28 @@
 namespace keyblock {
 namespace {
 
+using Number = std::variant<int, double>;
+
 struct Column {
   const char* name;
-  double (*value)(const StepReport&);
+  Number (*value)(const StepReport&);
 };
 
 const std::vector<Column> kColumns{
-    {"step", [](const StepReport& s) { return double(s.step); }},
-    {"time", [](const StepReport& s) { return s.time; }},
-    {"dt", [](const StepReport& s) { return s.dt; }},
-    {"passes", [](const StepReport& s) { return double(s.passes); }},
-    {"redos", [](const StepReport& s) { return double(s.redos); }},
-    {"fallbacks", [](const StepReport& s) { return double(s.fallbacks); }},
-    {"contacts", [](const StepReport& s) { return double(s.contacts); }},
-    {"closed", [](const StepReport& s) { return double(s.closed); }},
-    {"penalty", [](const StepReport& s) { return s.penalty; }},
-    {"greatest_penetration", [](const StepReport& s) { return s.greatest_penetration; }},
-    {"displacement_ratio", [](const StepReport& s) { return s.displacement_ratio; }},
-    {"residual", [](const StepReport& s) { return s.residual; }},
-    {"unsettled_contacts", [](const StepReport& s) { return double(s.unsettled_contacts); }}};
-const Column kParts{"parts", [](const StepReport& s) { return double(s.parts); }};
+    {"step", [](const StepReport& s) -> Number { return s.step; }},
+    {"time", [](const StepReport& s) -> Number { return s.time; }},
+    {"dt", [](const StepReport& s) -> Number { return s.dt; }},
+    {"passes", [](const StepReport& s) -> Number { return s.passes; }},
+    {"redos", [](const StepReport& s) -> Number { return s.redos; }},
+    {"fallbacks", [](const StepReport& s) -> Number { return s.fallbacks; }},
+    {"contacts", [](const StepReport& s) -> Number { return s.contacts; }},
+    {"closed", [](const StepReport& s) -> Number { return s.closed; }},
+    {"penalty", [](const StepReport& s) -> Number { return s.penalty; }},
+    {"greatest_penetration", [](const StepReport& s) -> Number { return s.greatest_penetration; }},
+    {"displacement_ratio", [](const StepReport& s) -> Number { return s.displacement_ratio; }},
+    {"residual", [](const StepReport& s) -> Number { return s.residual; }},
+    {"unsettled_contacts", [](const StepReport& s) -> Number { return s.unsettled_contacts; }}};
+const Column kParts{"parts", [](const StepReport& s) -> Number { return s.parts; }};
 
 std::vector<Column> columns_of(const std::vector<StepReport>& rows) {
   std::vector<Column> columns = kColumns;
@@ -53,7 +57,11 @@ std::string step_table_csv(const std::vector<StepReport>& rows, const Units& uni
   const std::vector<Column> columns = columns_of(rows);
   for (const StepReport& row : rows) {
     for (const Column& column : columns) {
-      formats::append_real(text, column.value(row));
+      const Number number = column.value(row);
+      if (const int* count = std::get_if<int>(&number))
+        text += std::to_string(*count);
+      else
+        formats::append_real(text, std::get<double>(number));
       text += ',';
     }
     text.back() = '\n';

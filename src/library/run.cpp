@@ -271,7 +271,12 @@ std::vector<std::pair<std::string, std::string>> Run::quantities(std::string_vie
 Column<double> Run::history(std::string_view history, std::string_view quantity) const {
   return guarded([&]() -> Column<double> {
     if (is_balance(*state_, history)) return balance_of(*state_, quantity);
-    return {std::make_shared<const std::vector<double>>(state_->account->histories().values(history, quantity)), 2};
+    std::vector<double> values = state_->account->histories().values(history, quantity);
+    const Under under(state_->context);
+    if (const keyblock::State& now = state_->stepper->state(); state_->account->lacks_row(now.step))
+      for (const FollowedValue& value : state_->account->values(*state_->stepper))
+        if (value.name == history && value.quantity == quantity) values.insert(values.end(), {now.time, value.value});
+    return {std::make_shared<const std::vector<double>>(std::move(values)), 2};
   });
 }
 

@@ -39,6 +39,13 @@ double last(const std::string& text, std::string_view column) {
 
 }  // namespace
 
+TEST(StepTables, numbers_of_steps_are_written_whole) {
+  constexpr int kMany = 100000;
+  const std::string text = step_table_csv({step(kMany)}, {});
+  const std::string row = text.substr(text.find('\n') + 1);
+  EXPECT_EQ(row.substr(0, row.find(',')), "100000");
+}
+
 TEST(StepTables, numbers_are_read_back_to_the_bit) {
   const std::string text = step_table_csv({step(1), step(2)}, kMillimetres);
   EXPECT_EQ(last(text, "step"), 2);

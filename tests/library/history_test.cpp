@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -52,6 +53,23 @@ TEST(Histories, a_run_in_memory_warns_as_the_program_does) {
   EXPECT_TRUE(has(in_memory, "history_of_distant_blocks", "blocks 2 and 7 are 4 apart before any load"));
   EXPECT_TRUE(has(in_memory, "history_of_nothing", "\"contact ends\": no contact of blocks 2 and 7 is closed"));
   EXPECT_TRUE(has(in_memory, "history_of_nothing", "\"contact self\": no contact of blocks 1 and 1 is closed"));
+}
+
+// Of 20,000 steps every fourth has a row. The condition ends the run between two of them.
+TEST(Histories, a_run_that_ends_early_has_a_row_of_its_last_step) {
+  const Folder folder;
+  constexpr int kLast = 10;
+  const kb::Choices choices{"", {{"steps", "20000"}}, {}};
+  kb::Run run = kb::recorded(slide(), folder.path.string(), {.pictures = false, .histories = {"block:2"}}, choices);
+  run.go_on([](const kb::Run& now) { return now.last().number == kLast; });
+  const kb::Column<double> kept = run.history("2", "displacement_x");
+  ASSERT_EQ(kept.rows(), 4U) << "steps 0, 4, 8 and 10";
+  EXPECT_EQ(kept(3, 0), run.last().time);
+  EXPECT_GT(std::abs(kept(3, 1)), std::abs(kept(2, 1)));
+  std::ifstream table(folder.path / "histories.csv");
+  std::string line, last;
+  while (std::getline(table, line)) last = line;
+  EXPECT_EQ(last.substr(0, last.find(',')), std::to_string(kLast)) << last;
 }
 
 TEST(Histories, a_resumed_run_keeps_the_rows_before_its_checkpoint) {
