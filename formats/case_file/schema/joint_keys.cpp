@@ -121,10 +121,14 @@ void put_absent(Json& schema, const JointKey& key, const std::vector<std::string
     schema["x-default"] = key.absent;
 }
 
+bool takes_whole_numbers_alone(const Demand& demand) {
+  return demand.holds(2) && !demand.holds(1.5);
+}
+
 Json schema_of(const JointKey& key) {
   const std::vector<std::string_view> words = joint_words_of(key.key);
   Json schema = Json::object();
-  if (key.demand) schema["type"] = key.demand->wording.starts_with("a whole number") ? "integer" : "number";
+  if (key.demand) schema["type"] = takes_whole_numbers_alone(*key.demand) ? "integer" : "number";
   if (!words.empty()) schema["enum"] = words;
   schema["title"] = key.title;
   schema["description"] = key.meaning;
