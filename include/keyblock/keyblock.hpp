@@ -88,7 +88,8 @@ class KEYBLOCK_API Plan {
   const std::string& why_profile() const;                             ///< in words: who chose it
   std::vector<std::pair<std::string, std::string>> settings() const;  ///< name and value, all
   std::vector<Warning> warnings() const;                              ///< of reading, preparing and looking ahead
-  /// Of the scene at the start: six of each affine block that can move, three of a rigid one, two of each cover function.
+  /// Counts the unknowns of the first step: an affine block that can move has six, a rigid one three, a cover function
+  /// two.
   int unknowns() const;
   int blocks() const;  ///< on covers: elements
   int steps() const;   ///< most of them, in all stages

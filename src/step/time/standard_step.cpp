@@ -204,7 +204,7 @@ class Attempt {
   void remember() {
     const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const Eigen::VectorXd way = rates(smooth_.rows, plus(smooth_.q, -1, start_.q));
-    const Eigen::VectorXd at_end = rates(smooth_.rows, smooth_.v);
+    const Eigen::VectorXd at_end = scene_.has_springs() ? rates(smooth_.rows, smooth_.v) : Eigen::VectorXd();
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
       if (!closed_[i]) continue;
@@ -212,9 +212,10 @@ class Attempt {
       const ContactLaw& law = smooth_.laws[i];
       const Touch& touch = parts_.smooth[i];
       const ContactMemory* before = start_.closed.of(touch);
-      const bool is_all_stretch = smooth_.way_laws[i] || (before && sticks(law, before->normal, before->tangential));
-      const double stretch = is_all_stretch ? way[t] : at_end[t] / rule_.end_velocity.increment;
-      ContactMemory memory = memory_of(law, normal(i), smooth_.forces[t], stretch, before);
+      const bool stops = !smooth_.way_laws[i] && !(before && sticks(law, before->normal, before->tangential));
+      const bool has_spring = law.tangential_compliance > 0;
+      const double slip = has_spring && stops ? at_end[t] / rule_.end_velocity.increment : way[t];
+      ContactMemory memory = memory_of(law, normal(i), smooth_.forces[t], slip, before);
       if (law.normal_compliance > 0) {
         const double by_gap = std::max(law.force.least, (law.rest_gap - gap_of(touch, end)) / law.normal_compliance);
         memory.compression = by_gap * law.normal_compliance;
