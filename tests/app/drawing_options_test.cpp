@@ -102,9 +102,10 @@ TEST(DrawingOptions, options_that_fit_no_input_are_refused) {
 TEST(DrawingOptions, a_run_that_goes_on_joins_again) {
   const std::string file = written("short.json", kShortJoint + kAnalysis);
   const std::string out = support::fresh_folder("drawing_options_resume") + "/out";
-  const std::vector<std::string> run{"run", file, "--join", "0.003", "-o", out, "--set", "steps=100000"};
-  support::interrupt_keyblock(run, out + "/checkpoint.h5");
-  const support::ProgramRun again = support::interrupt_keyblock({"run", "--resume", out}, out + "/run.json");
+  const std::vector<std::string> run{"run", file, "--join", "0.003", "-o", out, "--set", "steps=20000"};
+  EXPECT_EQ(support::interrupt_keyblock(run, out + "/frames/00000200.vtu").exit_code, 130);
+  const support::ProgramRun again = run_keyblock({"run", "--resume", out});
+  EXPECT_EQ(again.exit_code, 0) << again.messages;
   EXPECT_TRUE(contains(again.messages, "2 blocks")) << again.messages;
 }
 
