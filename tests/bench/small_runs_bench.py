@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures whole runs of small files, 1,000 steps with all results, in both profiles: most files of this field are like them.
+"""Measures whole runs of small files in both profiles: 1,000 steps with all results. Most files of this field are like them.
 
-Each time is the processor time of one process with one thread, the least of some runs in turn. The share of stepping comes from a
-second run, which writes the first and the last frame alone, without contacts and pictures, less a run of one step. --beside PROGRAM
-runs another build in turn, and prints the ratio."""
+Each time is the processor time of one process with one thread, the least of some runs in turn. The share of stepping comes
+from a second run less a run of one step. The second run writes the first and the last frame alone, without contacts and
+pictures. --beside PROGRAM runs another build in turn, and prints the ratio."""
 import argparse
 import json
 import pathlib
@@ -55,12 +55,14 @@ def main():
     if not asked.folder.is_dir():
         print(f"{asked.folder}: not there; whole runs of small files are not measured")
         return 0
-    print(f"{'scene':>7} {'profile':>9} {'run ms':>8} {'stepping':>9}" + (f" {'beside ms':>10} {'ratio':>6}" if asked.beside else ""))
+    of_other = f" {'beside ms':>10} {'ratio':>6}" if asked.beside else ""
+    print(f"{'scene':>7} {'profile':>9} {'run ms':>8} {'stepping':>9}{of_other}")
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for scene, names in SCENES.items():
             for profile in ("legacy", "standard"):
-                least = measured(asked.program, asked.beside, [asked.folder / name for name in names], profile, asked.repeats, folder)
+                files = [asked.folder / name for name in names]
+                least = measured(asked.program, asked.beside, files, profile, asked.repeats, folder)
                 row = {"scene": scene, "profile": profile, "seconds": least["whole"],
                        "stepping": (least["bare"] - least["one"]) / least["whole"]}
                 text = f"{scene:>7} {profile:>9} {1e3 * row['seconds']:>8.0f} {row['stepping']:>9.2f}"

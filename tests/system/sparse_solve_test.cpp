@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/sparse_solve.hpp"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <array>
 #include <filesystem>
 #include <vector>
@@ -100,6 +102,23 @@ TEST(SparseSolve, a_semidefinite_matrix_is_solved_where_it_carries_the_load) {
   EXPECT_LT(solution.residual, 1e-14);
   EXPECT_NEAR(solution.x(0) - solution.x(4), 3, 1e-4);
   EXPECT_NEAR(solution.x(4) - solution.x(2), 4, 1e-4);
+}
+
+// The caller of the library may have parallel regions of its own.
+TEST(SparseSolve, a_factorisation_leaves_the_levels_of_openmp_as_they_were) {
+  Eigen::SparseMatrix<double> matrix(3, 3);
+  matrix.setIdentity();
+  SparseFactor factor(matrix, Definiteness::definite);
+  factor.factorise(matrix);  // loads the library
+  const auto set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
+  const auto levels = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
+  if (!set || !levels) GTEST_SKIP() << "CHOLMOD was built without OpenMP";
+  constexpr int kOfCaller = 3;
+  const int before = levels();
+  set(kOfCaller);
+  factor.factorise(matrix);
+  EXPECT_EQ(levels(), kOfCaller);
+  set(before);
 }
 
 }  // namespace keyblock::sparse_solve_test
