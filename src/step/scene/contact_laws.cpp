@@ -111,8 +111,11 @@ ContactMemory memory_of(const ContactLaw& law, double normal, double tangential)
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential, double slip,
                         const ContactMemory* before) {
   ContactMemory memory = memory_of(law, normal, tangential);
-  if (law.tangential_compliance > 0 && sticks(law, normal, tangential))
-    memory.stretch = (before ? before->stretch : 0) + slip;
+  if (law.tangential_compliance == 0 || !sticks(law, normal, tangential)) return memory;
+  const double had = before ? before->stretch : 0;
+  const double at_limit = law.tangential_compliance * law.force.limit(normal);  // infinite for a bond
+  const double most = std::max(at_limit, std::abs(had));
+  memory.stretch = std::clamp(had + slip, -most, most);
   return memory;
 }
 
