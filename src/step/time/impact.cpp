@@ -321,8 +321,8 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
       problem.laws.back() = {*slips[i].passes_on};
       problem.b[n] = std::max(problem.b[n], 0.0);
     }
-    if (!slips[i].coulomb) continue;
-    problem.laws.back().friction = *slips[i].coulomb;
+    if (!slips[i].of_sum) continue;
+    problem.laws.back() = *slips[i].of_sum;
     had.segment<2>(n) = answered.per_force * slips[i].force;
   }
   const bool has_laws_of_impulse = std::ranges::any_of(slips, &HeldSlip::has_law_of_impulse);

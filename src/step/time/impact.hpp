@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "contact/solve/frictional_problem.hpp"
 #include "step/bodies/integrator.hpp"
 #include "step/scene/standard_scene.hpp"
 
@@ -76,11 +77,11 @@ UnknownsTable rigid_part(UnknownsTable v);
 struct HeldSlip {
   double friction = 0;  ///< over the normal force
   bool sticks = false;
-  std::optional<double> coulomb = std::nullopt;     ///< tangent of the angle of friction
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< force of the contact in the step, used with `coulomb`
+  std::optional<ForceLaw> of_sum = std::nullopt;    ///< law of force and impulse together, as a force
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< force of the contact in the step, used with `of_sum`
   /// Tangent of the angle of friction of a contact that may open, and must not close faster than before.
   std::optional<double> passes_on = std::nullopt;
-  bool has_law_of_impulse() const { return coulomb || passes_on; }
+  bool has_law_of_impulse() const { return of_sum || passes_on; }
 };
 
 /// Response to a push: by the inertia that a step reaches, M + θ dt² K, or by the mass alone.
@@ -98,9 +99,9 @@ struct PushedVelocities {
 };
 
 /// Sets the normal velocity of closed contacts to zero and that of fixed points to the target. Both are kept in
-/// position; otherwise their rates would change sign in each step. The response is that of the inertia that a step
-/// reaches, so that round-off of gaps does not excite strains too stiff for the step. If a contact slides with
-/// friction, so does the impulse. Otherwise the part of the normal force that impulses carry would lack friction.
+/// position; otherwise their rates would change sign in each step. A contact opens if its law lets it. The response is
+/// that of the inertia that a step reaches. Round-off of gaps thus does not excite strains too stiff for the step. If a
+/// contact slides with friction, so does the impulse: the part of the normal force that impulses carry has friction.
 PushedVelocities with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
                                       const Touches& closed, const std::vector<HeldSlip>& slips, double time, double dt,
                                       const PushAnswer& answered);

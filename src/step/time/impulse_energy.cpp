@@ -1,4 +1,5 @@
-// Finds the energy that impulses take as a quadratic function of their part with rebound; see impulse_energy.hpp.
+// Finds the energy of impulses and pushes, by connected set, as quadratic functions of a part of them; see
+// impulse_energy.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/impulse_energy.hpp"
 
@@ -8,12 +9,22 @@
 #include <vector>
 
 #include "contact/find/connected_sets.hpp"
+#include "contact/rows/gap.hpp"
+#include "step/time/ledger.hpp"
 
 namespace keyblock {
 namespace {
 
 // Impulses that gain less than this fraction of their work gain nothing but round-off.
 constexpr double kNoGain = 1e-12;
+
+// Pushes may raise the kinetic energy of a set by this fraction of it beyond what its contacts took. Bodies that slide
+// gain as much by round-off, and their contacts must keep no velocity.
+constexpr double kGainOfPushes = 1e-6;
+
+bool may_pull(const ContactLaw& law) {
+  return law.is_bonded || law.force.least < 0;
+}
 
 // Energies of connected sets, by the number of a set.
 using SetEnergies = std::map<std::size_t, double>;
@@ -76,6 +87,75 @@ void take_gain(const JumpRows& of, const std::function<FrictionalSolution()>& st
     const auto n = static_cast<Eigen::Index>(2 * i);
     bouncing.forces.segment<2>(n) = without.forces.segment<2>(n) + part * way.segment<2>(n);
   }
+}
+
+PushedSets::PushedSets(const ClosingStep& of) : of_(of) {
+  const Model& model = of.scene.model;
+  Touches closed;
+  for (std::size_t i = 0; i < of.touches.size(); ++i)
+    if (of.closed[i]) closed.push_back(of.touches[i]);
+  numbers_ = ConnectedSets(model, pairs_of(model, closed), {}).numbers();
+  has_bond_.resize(numbers_.size());
+  for (std::size_t i = 0; i < of.touches.size(); ++i)
+    if (of.closed[i] && may_pull(of.smooth.laws[i])) has_bond_[set_of(i)] = true;
+}
+
+std::size_t PushedSets::set_of(std::size_t contact) const {
+  const Model& model = of_.scene.model;
+  const Touch& touch = of_.touches[contact];
+  const ElementIndex e = model.vertices[touch.vertex].element;
+  const ElementIndex movable = model.elements[e].can_move() ? e : model.vertices[touch.start].element;
+  return numbers_[static_cast<std::size_t>(movable.value)];
+}
+
+std::vector<double> PushedSets::taken_by(const std::vector<std::size_t>& contacts) const {
+  const auto at_start = vertices_at(of_.scene.model, of_.scene.reference, of_.start.q);
+  const auto at_end = vertices_at(of_.scene.model, of_.scene.reference, of_.smooth.q);
+  const Eigen::VectorXd way = rates(of_.smooth.rows, plus(of_.smooth.q, -1, of_.start.q));
+  std::vector<double> taken(numbers_.size());
+  for (const std::size_t i : contacts) {
+    const auto t = static_cast<Eigen::Index>(2 * i + 1);
+    taken[set_of(i)] += energy_of_closing(of_, i, at_start, at_end) - of_.smooth.forces[t] * way[t];
+  }
+  return taken;
+}
+
+double PushedSets::take_gain(const UnknownsTable& before, const std::vector<std::size_t>& pushed,
+                             UnknownsTable& velocities) const {
+  UnknownsTable change = plus(velocities, -1, before);
+  const UnknownsTable had = momentum(of_.scene, before);
+  const UnknownsTable given = momentum(of_.scene, change);
+  std::vector<double> energy(numbers_.size()), slope(numbers_.size()), curvature(numbers_.size());
+  for (const ElementIndex e : indices(before)) {
+    const std::size_t set = numbers_[static_cast<std::size_t>(e.value)];
+    energy[set] += before[e].dot(had[e]) / 2;
+    slope[set] += before[e].dot(given[e]);
+    curvature[set] += change[e].dot(given[e]);
+  }
+  const auto gains = [&](std::size_t s) { return slope[s] + curvature[s] / 2 > kGainOfPushes * energy[s]; };
+  std::vector<std::size_t> gaining;
+  for (std::size_t s = 0; s < numbers_.size(); ++s)
+    if (gains(s)) gaining.push_back(s);
+  if (gaining.empty()) return 1;
+  const std::vector<double> taken = taken_by(pushed);
+  std::vector<double> part(numbers_.size(), 1);
+  for (const std::size_t s : gaining) {
+    const double most = std::max(0.0, taken[s]);
+    if (slope[s] + curvature[s] / 2 <= kGainOfPushes * energy[s] + most) continue;
+    part[s] = (std::sqrt(slope[s] * slope[s] + 2 * curvature[s] * most) - slope[s]) / curvature[s];
+  }
+  for (const ElementIndex e : indices(change)) change[e] *= part[numbers_[static_cast<std::size_t>(e.value)]];
+  velocities = plus(before, 1, change);
+  return std::ranges::min(part);
+}
+
+double energy_of_closing(const ClosingStep& of, std::size_t contact, const Table<VertexIndex, Point>& at_start,
+                         const Table<VertexIndex, Point>& at_end) {
+  const Touch& touch = of.touches[contact];
+  const ContactLaw& law = of.smooth.laws[contact];
+  const double gap = gap_of(touch, at_end);
+  const double kept = law.normal_compliance > 0 ? std::max(0.0, law.rest_gap - gap) : 0;
+  return -of.smooth.forces[static_cast<Eigen::Index>(2 * contact)] * (gap - gap_of(touch, at_start) + kept);
 }
 
 }  // namespace keyblock

@@ -51,4 +51,19 @@ struct SmoothMotion : BodiesMotion {
   std::optional<std::size_t> worst;    ///< contact with the largest residual, if the goal was not reached
 };
 
+/// Smooth motion of a step, or of a part of it, and its contacts.
+struct ClosingStep {
+  const StandardScene& scene;
+  const Motion& start;
+  const SmoothMotion& smooth;
+  const StepRule& rule;
+  const Scales& scales;
+  const Touches& touches;
+  const std::vector<double>& speeds;  ///< per contact: normal velocity at the start; 0 if no impact is possible
+  const std::vector<bool>& closed;    ///< per contact: true if it bears or bonds
+  double time = 0;
+  double dt = 0;
+  double whole = 0;  ///< whole step, of which this is a part
+};
+
 }  // namespace keyblock

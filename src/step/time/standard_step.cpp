@@ -128,6 +128,7 @@ class Attempt {
                                                 .whole = whole_});
     step_.motion.v = std::move(of_contacts.v);
     step_.motion.given_up = of_contacts.given_up;
+    may_open_ = std::move(of_contacts.may_open);
     SupportWork given{of_contacts.given, 0};
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty())
@@ -198,24 +199,19 @@ class Attempt {
     return others;
   }
 
-  // Springs have the force of the step; at its end the gap compresses them. A sticking contact stretches its spring by
-  // its whole slip. A contact of blocks that slid until now stops within the step: its slip by the start velocity is no
-  // stretch, of which the next step would make a velocity back.
+  // Springs have the force of the step; at its end the gap compresses them.
   void remember() {
     const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const Eigen::VectorXd way = rates(smooth_.rows, plus(smooth_.q, -1, start_.q));
-    const Eigen::VectorXd at_end = scene_.has_springs() ? rates(smooth_.rows, smooth_.v) : Eigen::VectorXd();
+    const std::vector<bool> opens = opened_at(end);
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
-      if (!closed_[i]) continue;
+      if (!closed_[i] || opens[i]) continue;
       const auto t = static_cast<Eigen::Index>(2 * i + 1);
       const ContactLaw& law = smooth_.laws[i];
       const Touch& touch = parts_.smooth[i];
       const ContactMemory* before = start_.closed.of(touch);
-      const bool stops = !smooth_.way_laws[i] && !(before && sticks(law, before->normal, before->tangential));
-      const bool has_spring = law.tangential_compliance > 0;
-      const double slip = has_spring && stops ? at_end[t] / rule_.end_velocity.increment : way[t];
-      ContactMemory memory = memory_of(law, normal(i), smooth_.forces[t], slip, before);
+      ContactMemory memory = memory_of(law, normal(i), smooth_.forces[t], way[t], before);
       if (law.normal_compliance > 0) {
         const double by_gap = std::max(law.force.least, (law.rest_gap - gap_of(touch, end)) / law.normal_compliance);
         memory.compression = by_gap * law.normal_compliance;
@@ -225,6 +221,20 @@ class Attempt {
       closed.push_back({touch, memory});
     }
     step_.motion.closed = ClosedContacts(std::move(closed));
+  }
+
+  // A contact opens if its impulse lets it, and its surfaces will part within half a step. As a closed one it would
+  // stop them by a force that acts across the gap.
+  std::vector<bool> opened_at(const Table<VertexIndex, Point>& end) const {
+    std::vector<bool> opens = may_open_;
+    if (std::ranges::find(opens, true) == opens.end()) return opens;
+    const Eigen::VectorXd speeds = rates(smooth_.rows, step_.motion.v);
+    for (std::size_t i = 0; i < opens.size(); ++i) {
+      const ContactLaw& law = smooth_.laws[i];
+      const double way = whole_ / 2 * speeds[static_cast<Eigen::Index>(2 * i)];
+      opens[i] = opens[i] && law.normal_compliance > 0 && gap_of(parts_.smooth[i], end) - law.rest_gap + way > 0;
+    }
+    return opens;
   }
 
   const StandardScene& scene_;
@@ -241,7 +251,8 @@ class Attempt {
   ForceTolerance tolerance_;
   Split parts_;
   SmoothMotion smooth_;
-  std::vector<bool> closed_;  ///< per contact of the smooth motion
+  std::vector<bool> closed_;    ///< per contact of the smooth motion
+  std::vector<bool> may_open_;  ///< per contact: true if an impulse may have opened it
   StandardStep step_;
 };
 

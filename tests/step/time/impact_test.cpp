@@ -369,8 +369,12 @@ TEST(Impact, closed_contacts_lose_their_normal_velocity) {
   expect_velocity(after({.friction = -0.1}), 2 + 0.1 * 0.5, 0, 0, kClose);
   // Each contact had 5 times the mass as a normal impulse; with the push all of them have 10.5 times.
   const Eigen::Vector2d had(5 * 2500, 0);
-  expect_velocity(after({.coulomb = 0.1, .force = had}), 2 - 0.1 * 10.5, 0, 0, kClose);
-  expect_velocity(after({.coulomb = 0.2, .force = had}), 0, 0, 0, kClose);
+  expect_velocity(after({.of_sum = ForceLaw{0.1}, .force = had}), 2 - 0.1 * 10.5, 0, 0, kClose);
+  expect_velocity(after({.of_sum = ForceLaw{0.2}, .force = had}), 0, 0, 0, kClose);
+  // The sum of force and push pulls nowhere: a block that leaves faster than the push would hold it goes on.
+  struck.move(kSecond, 2, 0.5);
+  const Eigen::Vector2d less(0.1 * 2500, 0);
+  expect_velocity(after({.of_sum = ForceLaw{}, .force = less}), 2, 0.5 - 2 * 0.1, 0, kClose);
 }
 
 // In proportion to their overlap, the lighter one farther: their mass centre stays.
