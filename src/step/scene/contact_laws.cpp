@@ -108,13 +108,17 @@ ContactMemory memory_of(const ContactLaw& law, double normal, double tangential)
           normal * law.normal_compliance};
 }
 
+// A spring that swings about the limit of friction is a little longer at times; cut at 1, slopes at rest crept by 1e-8
+// of their displacements. Slip is some thousand times longer.
+constexpr double kMostStretch = 2;
+
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential, double slip,
                         const ContactMemory* before) {
   ContactMemory memory = memory_of(law, normal, tangential);
   if (law.tangential_compliance == 0 || !sticks(law, normal, tangential)) return memory;
   const double had = before ? before->stretch : 0;
   const double at_limit = law.tangential_compliance * law.force.limit(normal);  // infinite for a bond
-  const double most = std::max(at_limit, std::abs(had));
+  const double most = std::max(kMostStretch * at_limit, std::abs(had));
   memory.stretch = std::clamp(had + slip, -most, most);
   return memory;
 }
