@@ -35,9 +35,9 @@ Touches without_springs(const StandardScene& scene, Touches touches);
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential);
 
 /// Returns the same after a step in which its point slipped by `slip`; `before`: earlier memory or null. The spring of
-/// a sticking contact becomes longer by the slip, up to twice the stretch at the limit of friction. The rest is plastic.
-/// Its force in the step follows from the end velocity. The sum of such forces differs from the path if velocities
-/// change between steps, and would wind the springs up.
+/// a sticking contact becomes longer by the slip, up to twice the stretch at the limit of friction; the rest is
+/// plastic. Its force in the step follows from the end velocity. The sum of such forces differs from the path if
+/// velocities change between steps, and would wind the springs up.
 ContactMemory memory_of(const ContactLaw& law, double normal, double tangential, double slip,
                         const ContactMemory* before);
 
