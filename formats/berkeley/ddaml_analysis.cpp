@@ -132,7 +132,7 @@ class ElementValues {
   }
 
   double child_real(const Element& element, std::string_view name) {
-    return child_real(element, name, {[](double) { return true; }, ""});
+    return child_real(element, name, {});
   }
 
   std::array<double, 3> child_triple(const Element& element, std::string_view name) {
@@ -233,8 +233,7 @@ class AnalysisReader {
   }
 
   void read_acceleration(const Element& element) {
-    const Demand any{[](double) { return true; }, ""};
-    analysis_.gravity = values_.attribute_real(element, "value", any);
+    analysis_.gravity = values_.attribute_real(element, "value", Demand{});
   }
 
   void read_automatic_step(const Element& element) { analysis_.automatic_time_step = values_.flag_of(element); }
@@ -345,7 +344,7 @@ class AnalysisReader {
   }
 
   TimeCurve load_curve(const Element& element) {
-    const Demand two_or_more{[](double v) { return v >= 2 && is_whole(v); }, "a whole number, 2 or more"};
+    const Demand two_or_more{{2}, "a whole number, 2 or more", true};
     const int rows = values_.attribute_integer(element, "numpoints", two_or_more);
     const Tokens tokens = element.tokens();
     Cursor cursor(tokens, kEndOfElement);

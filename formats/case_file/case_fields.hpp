@@ -21,16 +21,14 @@ namespace keyblock::formats {
 template <class F, class T>
 using In = std::conditional_t<F::is_writing, const T, T>;
 
-inline constexpr Demand kAny{[](double) { return true; }, "a number"};
-inline constexpr Demand kWhole{[](double v) { return v >= 0 && is_whole(v); }, "a whole number, 0 or more"};
+inline constexpr Demand kAny{{}, "a number"};
+inline constexpr Demand kWhole{{0}, "a whole number, 0 or more", true};
 
-inline constexpr Demand kHalfRows{[](double v) { return v >= 0 && v <= 1000 && is_whole(v); },
-                                  "a whole number from 0 to 1000"};
-inline constexpr Demand kMeshError{is_mesh_error, kMeshErrorExpected};
-inline constexpr Demand kMostUnknowns{is_mesh_limit, kMeshLimitExpected};
-inline constexpr Demand kStageSteps{[](double v) { return v >= 0 && v <= 1e9 && is_whole(v); },
-                                    "a whole number from 0 to 1000000000"};
-inline constexpr Demand kStep{[](double v) { return is_whole(v); }, "a whole number"};
+inline constexpr Demand kHalfRows{{0, false, 1000}, "a whole number from 0 to 1000", true};
+inline constexpr Demand kMeshError{kMeshErrorRange, "at least 0 and below 1"};
+inline constexpr Demand kMostUnknowns{kMeshLimitRange, kMeshLimitExpected, true};
+inline constexpr Demand kStageSteps{{0, false, 1e9}, "a whole number from 0 to 1000000000", true};
+inline constexpr Demand kStep{{}, "a whole number", true};
 
 inline constexpr std::array<std::string_view, 4> kDialects{"berkeley", "shi", "ddaml", "manifold"};
 inline constexpr std::array<std::string_view, 4> kCoverFunctions{"constant", "derived", "linear", "quadratic"};

@@ -24,7 +24,7 @@ namespace keyblock::formats {
 namespace {
 
 constexpr std::string_view kMark = "\"keyblock\"";
-constexpr Demand kVersion{[](double v) { return v == kCaseVersion || v == kCaseVersionOfToday; }, "version 1 or 2"};
+constexpr Demand kVersion{{kCaseVersion, false, kCaseVersionOfToday}, "version 1 or 2", true};
 constexpr double kGravityOfToday = 9.81;  // m/s2
 constexpr std::size_t kFewestCorners = 3;
 

@@ -56,7 +56,7 @@ void NumberFields::real(std::string_view name, double& value, const Demand& dema
     else if (value_->kind() == JsonKind::string && takes_unit(noun_, name))
       value = converted_at(*value_, name, measure_of(noun_, name), "a number");
     else if (value_->kind() != JsonKind::number)
-      fail_at(*value_, demand.wording.find("number") == std::string_view::npos ? "a number, " : "");
+      fail_at(*value_, !demand.whole && demand.range.is_bounded() ? "a number, " : "");
     else
       value = value_->number();
     if (!demand.holds(value)) fail_at(*value_, "");
@@ -74,8 +74,7 @@ void NumberFields::require_measurable(std::string_view name, double value) const
 }
 
 void NumberFields::index(std::string_view name, int& value) {
-  constexpr Demand number{[](double v) { return is_whole(v) && std::abs(v) <= std::numeric_limits<int>::max(); },
-                          "a whole number"};
+  constexpr Demand number{{}, "a whole number", true};
   double from_one = static_cast<double>(value) + 1;
   real(name, from_one, number);
   value = static_cast<int>(from_one - 1);

@@ -18,7 +18,7 @@ class NumberFields : public TakenFields {
  public:
   using TakenFields::TakenFields;
 
-  void real(std::string_view name, double& value, const Demand& demand = {[](double) { return true; }, "a number"});
+  void real(std::string_view name, double& value, const Demand& demand = {{}, "a number"});
   template <class Integer>
   void integer(std::string_view name, Integer& value, const Demand& demand) {
     double number = static_cast<double>(value);

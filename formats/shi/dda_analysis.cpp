@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::int64_t kBlockMaterialSize = 13;
 constexpr std::int64_t kJointMaterialSize = 3;
-constexpr Demand kRowCount{[](double v) { return is_whole(v) && (v == 0 || v >= 2); }, "0, or 2 and more"};
+constexpr Demand kRowCount{{0}, "0, or 2 and more", true, 1};
 
 /// Numbers of the materials that a head announces; nothing if it cannot be a head.
 struct Materials {

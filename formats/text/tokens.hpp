@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "formats/format.hpp"
 #include "formats/text/splitter.hpp"
+#include "problem/limits.hpp"
 
 namespace keyblock::formats {
 
@@ -86,14 +87,20 @@ struct Tokens {
 /// commas belong to it. Empty if none is left.
 std::string_view next_run(std::string_view text, std::size_t at);
 
-inline bool is_whole(double value) {
+constexpr bool is_whole(double value) {
   return value >= -2147483647 && value <= 2147483647 && static_cast<double>(static_cast<int>(value)) == value;
 }
 
 /// Condition on a number, and its words in a message.
 struct Demand {
-  bool (*holds)(double value);
+  Range range;
   std::string_view wording;
+  bool whole = false;
+  std::optional<double> except = {};  ///< in the range, and not permitted
+
+  constexpr bool holds(double value) const {
+    return range.has(value) && (!whole || is_whole(value)) && !(except && value == *except);
+  }
 };
 
 /// Record that is being read, for messages: "line 3 of 30".

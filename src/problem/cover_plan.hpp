@@ -11,6 +11,7 @@
 #include "geometry/point.hpp"
 #include "problem/analysis.hpp"
 #include "problem/formula.hpp"
+#include "problem/limits.hpp"
 #include "problem/load_list.hpp"
 
 namespace keyblock {
@@ -67,13 +68,9 @@ struct MeshedMaterial {
 enum class CoverContact { felt, ignored };
 
 // Ranges of file keys and command settings for mesh refinement by error.
-constexpr bool is_mesh_error(double v) {
-  return v >= 0 && v < 1;
-}
+inline constexpr Range kMeshErrorRange{0, false, 1, true};
 inline constexpr const char* kMeshErrorExpected = "a number from 0 to below 1";
-constexpr bool is_mesh_limit(double v) {
-  return v >= 1 && v <= 1e6 && v == static_cast<int>(v);
-}
+inline constexpr Range kMeshLimitRange{1, false, 1e6};
 inline constexpr const char* kMeshLimitExpected = "a whole number from 1 to 1000000";
 
 /// Plan of the mesh: a regular mesh has `half_rows` or `side`, an unstructured one `side`. Without either there is no

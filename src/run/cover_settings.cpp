@@ -95,12 +95,12 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value) {
   }
   if (name == "mesh.error") {
     plan.mesh.error = number_of(name, kMeshErrorExpected, value);
-    if (!is_mesh_error(plan.mesh.error)) refuse_setting(name, kMeshErrorExpected, value);
+    if (!kMeshErrorRange.has(plan.mesh.error)) refuse_setting(name, kMeshErrorExpected, value);
     return;
   }
   if (name == "mesh.most_unknowns") {
     const double most = number_of(name, kMeshLimitExpected, value);
-    if (!is_mesh_limit(most)) refuse_setting(name, kMeshLimitExpected, value);
+    if (!kMeshLimitRange.has(most) || most != std::floor(most)) refuse_setting(name, kMeshLimitExpected, value);
     plan.mesh.most_unknowns = static_cast<int>(most);
     return;
   }

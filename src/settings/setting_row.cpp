@@ -21,16 +21,15 @@ std::optional<T> parse(const std::string& text) {
 }
 
 std::string words_for(const Range& range) {
-  if (range.least == Range{}.least) return "a number";
-  if (range.greatest != Range{}.greatest)
-    return fmt::format("a number {} {} to {}", range.open ? "above" : "from", range.least, range.greatest);
-  return fmt::format("a number {} {}", range.open ? "greater than" : "of at least", range.least);
+  if (!range.is_bounded_below()) return "a number";
+  if (range.is_bounded_above())
+    return fmt::format("a number {} {} to {}", range.open_below ? "above" : "from", range.least, range.greatest);
+  return fmt::format("a number {} {}", range.open_below ? "greater than" : "of at least", range.least);
 }
 
 double read_real(const Range& range, const std::string& name, const std::string& text) {
   const std::optional<double> value = parse<double>(text);
-  const bool in_range = value && std::isfinite(*value) && *value <= range.greatest &&
-                        (range.open ? *value > range.least : *value >= range.least);
+  const bool in_range = value && std::isfinite(*value) && range.has(*value);
   if (value && std::isfinite(*value) && std::abs(*value) > kGreatestQuantity)
     refuse_value(name, fmt::format("a number of at most {:g} in size", kGreatestQuantity), text);
   if (!in_range) refuse_value(name, words_for(range), text);
@@ -49,8 +48,8 @@ void refuse_value(const std::string& name, const std::string& expected, const st
 
 ValueText<double> real(Range range) {
   return {[](double value) { return fmt::format("{}", value); },
-          [range](const std::string& name, const std::string& text) { return read_real(range, name, text); }, true,
-          words_for(range)};
+          [range](const std::string& name, const std::string& text) { return read_real(range, name, text); },
+          {words_for(range), range}};
 }
 
 ValueText<std::optional<double>> real_or_nothing(Range range) {
@@ -59,7 +58,7 @@ ValueText<std::optional<double>> real_or_nothing(Range range) {
             if (text.empty()) return std::nullopt;
             return read_real(range, name, text);
           },
-          true, words_for(range) + ", or nothing"};
+          {words_for(range) + ", or nothing", range}};
 }
 
 ValueText<int> whole(int least) {
@@ -73,12 +72,13 @@ ValueText<int> whole(int least) {
             if (!value || *value < least) refuse_value(name, expected, text);
             return *value;
           },
-          true, expected};
+          {expected, Range{static_cast<double>(least)}, true}};
 }
 
 ValueText<std::string> any_text() {
   return {[](const std::string& value) { return value; },
-          [](const std::string&, const std::string& text) { return text; }, false, "any text"};
+          [](const std::string&, const std::string& text) { return text; },
+          {"any text"}};
 }
 
 ValueText<bool> off_or_on() {

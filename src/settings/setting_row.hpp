@@ -3,13 +3,12 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "problem/limits.hpp"
+#include "settings/permitted.hpp"
 #include "settings/settings.hpp"
 
 namespace keyblock {
@@ -20,15 +19,7 @@ template <class T>
 struct ValueText {
   std::function<std::string(const T&)> write;
   std::function<T(const std::string& name, const std::string& text)> read;
-  bool is_number = false;
-  std::string expected;  ///< "a number of at least 0", "one of off, on"
-};
-
-/// Range of a number. `open`: the least value itself is excluded.
-struct Range {
-  double least = -kGreatestQuantity;
-  bool open = false;
-  double greatest = kGreatestQuantity;
+  Permitted permitted;
 };
 
 ValueText<double> real(Range range);
@@ -59,7 +50,9 @@ ValueText<E> one_of(const std::vector<std::pair<E, std::string>>& words,
       if (value == wanted) return word;
     return std::string();
   };
-  return {write, read, false, expected};
+  std::vector<std::string> permitted;
+  for (const auto& [value, word] : words) permitted.push_back(word);
+  return {write, read, {expected, std::nullopt, false, std::move(permitted)}};
 }
 
 enum class Materials { of_blocks, of_joints };
@@ -81,12 +74,11 @@ struct MaterialRow {
 struct SettingRow {
   std::string name;
   std::string meaning;  ///< one phrase, with the unit
-  bool is_number = false;
   std::function<std::string(const Settings&)> write;
   std::function<void(Settings&, const std::string& text)> read;
   std::optional<MaterialRow> per_material;
-  std::string expected;              ///< permitted values, in words
-  std::optional<Dynamics> dynamics;  ///< dynamics that reads it; empty: both
+  Permitted permitted;
+  std::optional<Dynamics> dynamics = std::nullopt;  ///< dynamics that reads it; empty: both
   std::optional<ReadUnder> read_under = std::nullopt;
 };
 
@@ -95,12 +87,10 @@ template <class T, class Of>
 SettingRow row(const std::string& name, const std::string& meaning, Of of, const ValueText<T>& text) {
   return {name,
           meaning,
-          text.is_number,
           [=](const Settings& s) { return text.write(of(s)); },
           [=](Settings& s, const std::string& value) { of(s) = text.read(name, value); },
           std::nullopt,
-          text.expected,
-          std::nullopt};
+          text.permitted};
 }
 
 /// Returns a row of a PerMaterial member: `name` sets the common value, `name.N` that of material N, counted from 1.

@@ -126,7 +126,7 @@ std::string row_of(const std::vector<Column>& columns, std::size_t row) {
   std::string text = fmt::format("{:32} ", setting.name);
   for (const Column& column : columns) text += fmt::format("{:15} ", column.value(row));
   text += fmt::format("{}\n", word_for(setting.dynamics));
-  return text + wrapped(setting.meaning, 4) + fmt::format("    permitted: {}\n", setting.expected);
+  return text + wrapped(setting.meaning, 4) + fmt::format("    permitted: {}\n", setting.permitted.expected);
 }
 
 // Returns the columns in the order of the profiles.
@@ -151,7 +151,7 @@ std::string settings_json() {
       rows.push_back({{"name", setting.name},
                       {"group", group.title},
                       {"meaning", setting.meaning},
-                      {"permitted", setting.expected},
+                      {"permitted", setting.permitted.expected},
                       {"read_by", word_for(setting.dynamics)},
                       {"profiles", values}});
     }

@@ -78,14 +78,12 @@ SettingRow quirk(const std::string& name, const std::string& meaning, bool Berke
 SettingRow downward_gravity() {
   return {"gravity",
           "acceleration of gravity, downward [length/time^2]. It sets gravity.y to its negative and gravity.x to 0",
-          true,
           [](const Settings& s) { return fmt::format("{}", 0.0 - s.gravity.y); },
           [](Settings& s, const std::string& text) {
             s.gravity = {0, 0.0 - real(kAnyNumber).read("gravity", text)};
           },
           std::nullopt,
-          real(kAnyNumber).expected,
-          std::nullopt};
+          real(kAnyNumber).permitted};
 }
 
 std::vector<SettingRow> rows_of_the_run() {
@@ -456,12 +454,12 @@ std::vector<SettingText> list(const Settings& settings) {
     std::string meaning = row.meaning;
     if (row.per_material)
       meaning += fmt::format(". For {} material N alone: {}.N", noun(row.per_material->materials), row.name);
-    texts.push_back({row.name, value, meaning, row.is_number && !value.empty(), row.expected, row.dynamics});
+    texts.push_back({row.name, value, meaning, row.permitted.range && !value.empty(), row.permitted, row.dynamics});
     if (!row.per_material) continue;
     for (int material : row.per_material->given(settings)) {
       const std::string own = row.per_material->write(settings, material);
       texts.push_back(
-          {numbered(row, material), own, meaning, row.is_number && !own.empty(), row.expected, row.dynamics});
+          {numbered(row, material), own, meaning, row.permitted.range && !own.empty(), row.permitted, row.dynamics});
     }
   }
   return texts;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "problem/units/measure.hpp"
+#include "settings/permitted.hpp"
 #include "settings/settings.hpp"
 
 namespace keyblock {
@@ -19,9 +20,9 @@ using Override = std::pair<std::string, std::string>;
 struct SettingText {
   std::string name;
   std::string value;
-  std::string meaning;  ///< one phrase, with the unit
-  bool is_number = false;
-  std::string expected = {};                        ///< permitted values, in words
+  std::string meaning;     ///< one phrase, with the unit
+  bool is_number = false;  ///< the value, which may be absent
+  Permitted permitted = {};
   std::optional<Dynamics> dynamics = std::nullopt;  ///< dynamics that reads it; empty: both
 };
 

@@ -85,13 +85,8 @@ Answer answer(const Problem& problem, const std::vector<Override>& overrides) {
 std::vector<std::string> values_for(const SettingText& setting) {
   std::vector<std::string> values;
   if (!setting.is_number) {
-    const std::size_t words = setting.expected.find("one of ");
-    if (words == std::string::npos) return {"acceleration.csv"};
-    std::string rest = setting.expected.substr(words + 7);
-    for (std::size_t end = 0; end != std::string::npos; rest = end == std::string::npos ? "" : rest.substr(end + 2)) {
-      end = rest.find(", ");
-      values.push_back(rest.substr(0, end));
-    }
+    if (setting.permitted.words.empty()) return {"acceleration.csv"};
+    values = setting.permitted.words;
   }
   for (const char* number : {"0.37", "0.75", "2", "7", "1e7", "-4", "1e-9"}) values.emplace_back(number);
   std::erase(values, setting.value);

@@ -201,14 +201,14 @@ class CaseSchema {
   }
   void add(std::string_view name, Json schema, const Demand& demand = kAny) {
     const std::string_view meaning = meaning_of(parent_, name);
-    const bool has_limits = demand.wording != kAny.wording;
+    const bool has_limits = demand.whole || demand.range.is_bounded();
     schema["title"] = title_of(parent_, name);
     schema["description"] =
         has_limits ? fmt::format("{}. Permitted: {}", meaning, demand.wording) : std::string(meaning);
     schema["x-group"] = group_of(parent_, name);
     if (has_limits) {
       schema["x-permitted"] = demand.wording;
-      put_limits(schema, demand.wording, demand.holds);
+      put_limits(schema, demand.range);
     }
     if (takes_unit(parent_, name))
       schema["examples"] = Json::array({example_value(measure_of(parent_, name).value_or(measures::kNumber))});

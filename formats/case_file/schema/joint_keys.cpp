@@ -17,12 +17,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Demand kAnyNumber{[](double) { return true; }, "a number"};
-constexpr Demand kDip{[](double v) { return v >= -360 && v <= 360; }, "-360 to 360 degrees"};
-constexpr Demand kDipScatter{[](double v) { return v >= 0 && v <= 90; }, "0 to 90 degrees"};
-constexpr Demand kFaceAngle{[](double v) { return v > 0 && v <= 90; }, "above 0 to 90 degrees"};
-constexpr Demand kSeed{[](double v) { return v >= 0 && is_whole(v); }, "a whole number, 0 or more"};
-constexpr Demand kLifts{[](double v) { return v >= 1 && v <= 1000 && is_whole(v); }, "a whole number from 1 to 1000"};
+constexpr Demand kAnyNumber{{}, "a number"};
+constexpr Demand kDip{{-360, false, 360}, "-360 to 360 degrees"};
+constexpr Demand kDipScatter{{0, false, 90}, "0 to 90 degrees"};
+constexpr Demand kFaceAngle{{0, true, 90}, "above 0 to 90 degrees"};
+constexpr Demand kSeed{{0}, "a whole number, 0 or more", true};
+constexpr Demand kLifts{{1, false, 1000}, "a whole number from 1 to 1000", true};
 
 constexpr bool kIsRequired = true;
 constexpr bool kIsOptional = false;
@@ -121,14 +121,10 @@ void put_absent(Json& schema, const JointKey& key, const std::vector<std::string
     schema["x-default"] = key.absent;
 }
 
-bool takes_whole_numbers_alone(const Demand& demand) {
-  return demand.holds(2) && !demand.holds(1.5);
-}
-
 Json schema_of(const JointKey& key) {
   const std::vector<std::string_view> words = joint_words_of(key.key);
   Json schema = Json::object();
-  if (key.demand) schema["type"] = takes_whole_numbers_alone(*key.demand) ? "integer" : "number";
+  if (key.demand) schema["type"] = key.demand->whole ? "integer" : "number";
   if (!words.empty()) schema["enum"] = words;
   schema["title"] = key.title;
   schema["description"] = key.meaning;
@@ -140,7 +136,7 @@ Json schema_of(const JointKey& key) {
   if (key.demand == &kAnyNumber) return schema;
   schema["description"] = fmt::format("{}. Permitted: {}", key.meaning, key.demand->wording);
   schema["x-permitted"] = key.demand->wording;
-  put_limits(schema, key.demand->wording, key.demand->holds);
+  put_limits(schema, key.demand->range);
   return schema;
 }
 

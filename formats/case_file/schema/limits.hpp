@@ -1,15 +1,14 @@
-// Declares limits of numbers in a JSON schema, found from the condition itself.
+// Declares the limits of a number in a JSON schema.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <string_view>
+
+#include "problem/limits.hpp"
 
 namespace keyblock::formats {
 
-/// Adds `minimum`, `exclusiveMinimum`, `maximum` and `exclusiveMaximum`. `wording` names the limits; `holds` decides at
-/// and beside each of them.
-void put_limits(nlohmann::ordered_json& schema, std::string_view wording, const std::function<bool(double)>& holds);
+/// Adds `minimum` or `exclusiveMinimum`, and `maximum` or `exclusiveMaximum`, for ends that the range has.
+void put_limits(nlohmann::ordered_json& schema, const Range& range);
 
 }  // namespace keyblock::formats

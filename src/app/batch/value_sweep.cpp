@@ -64,16 +64,6 @@ struct ReadySweep {
   Json inputs = Json::array();               ///< files read, with checksums
 };
 
-bool takes(const std::string& setting, const std::string& value) {
-  Settings settings;
-  try {
-    set(settings, setting, value);
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-  return true;
-}
-
 /// Returns what a key expects if that is whole numbers alone. The key is of a setting, of the case, or of the
 /// statistics of joints.
 std::string whole_numbers_of(const std::string& key, const std::string& case_text) {
@@ -84,8 +74,8 @@ std::string whole_numbers_of(const std::string& key, const std::string& case_tex
                                      : key.starts_with('/') && takes_whole_numbers(key, case_text);
   if (is_whole) return key + ": expected a whole number";
   for (const SettingText& setting : list(Settings{}))
-    if (setting.name == key && takes(key, "1000000") && !takes(key, "1000000.5"))
-      return fmt::format("setting {}: expected {}", key, setting.expected);
+    if (setting.name == key && setting.permitted.whole)
+      return fmt::format("setting {}: expected {}", key, setting.permitted.expected);
   return {};
 }
 

@@ -106,7 +106,7 @@ Axis step_axis(const Base& base, int finest) {
 
 std::vector<Override> mesh_overrides(const MeshPlan& mesh, double factor) {
   if (mesh.error > 0) {
-    if (!is_mesh_error(mesh.error * factor)) return {};
+    if (!kMeshErrorRange.has(mesh.error * factor)) return {};
     return {{"mesh.error", fmt::format("{:.12g}", mesh.error * factor)}};
   }
   if (mesh.side > 0) return {{"mesh.side", fmt::format("{:.12g}", mesh.side * factor)}};
