@@ -45,6 +45,7 @@ struct CatalogueAnswer {
   /// Why it ended before, as `outcome.failure` of run.json: "no_equilibrium", "undecided", …; empty where not known.
   std::string failure = {};
   std::string reason = {};  ///< of the failure
+  bool has_result = true;   ///< false if the run wrote none
 };
 
 struct CatalogueRow {

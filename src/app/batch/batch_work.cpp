@@ -95,16 +95,15 @@ CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const 
   }
   const std::string why = why_it_ended(end, plan.limits, folder / (profile + ".log"));
   CatalogueAnswer answer = study::answer_in(folder / profile, profile);
-  const bool has_result = answer.end != "no result";
-  const bool is_partial = end.ran_out_of_time && has_result;
+  const bool is_partial = end.ran_out_of_time && answer.has_result;
   // The check has read the case: Shi's rules lack something that it has, such as stages.
-  if (plan.profile.empty() && profile == "legacy" && !has_result && end.exit_code == int(ExitCode::unreadable)) {
+  if (plan.profile.empty() && profile == "legacy" && !answer.has_result && end.exit_code == int(ExitCode::unreadable)) {
     doubt(row, fmt::format("not run by {}: {}", profile, why));
     answer.end = why;
     return answer;
   }
   fail(row, fmt::format("{}: {}{}", profile, why, is_partial ? fmt::format(" after {} steps", answer.steps) : ""));
-  if (!has_result || is_partial) answer.end = why;
+  if (!answer.has_result || is_partial) answer.end = why;
   return answer;
 }
 

@@ -84,7 +84,7 @@ CatalogueAnswer answer_in(const std::filesystem::path& folder, const std::string
   } catch (const Json::exception& error) {
     answer.end = fmt::format("run.json cannot be read: {}", error.what());
   } catch (const InputError&) {
-    return answer;  // the run ended before it wrote its results
+    answer.has_result = false;  // the run ended before it wrote its results
   }
   return answer;
 }
