@@ -21,9 +21,10 @@ class Column {
   Column(std::shared_ptr<const std::vector<T>> values, std::size_t width) : values_(std::move(values)), width_(width) {}
   std::size_t rows() const { return values_->size() / width_; }
   std::size_t width() const { return width_; }
-  /// Throws Error beyond the last row or column.
+  /// Throws choice beyond the last row or column.
   const T& operator()(std::size_t row, std::size_t column = 0) const {
-    if (row >= rows() || column >= width_) throw Error("expected a row and a column of the table, found one beyond");
+    if (row >= rows() || column >= width_)
+      throw Error("expected a row and a column of the table, found one beyond", ErrorCode::choice);
     return (*values_)[row * width_ + column];
   }
   std::span<const T> values() const { return *values_; }
@@ -47,17 +48,17 @@ class KEYBLOCK_API Frame {
 
   /// "blocks", "loops", "corners", "contacts", "bolts", "cracks", "points", "tips".
   static std::vector<std::string> parts();
-  /// Columns of a part; those of any frame if it has no rows. Throws SettingError for another part.
+  /// Columns of a part; those of any frame if it has no rows. Throws choice for another part.
   std::vector<std::string> names(std::string_view part) const;
-  std::size_t rows(std::string_view part) const;                        ///< throws SettingError for another part
+  std::size_t rows(std::string_view part) const;                        ///< throws choice for another part
   bool is_integer(std::string_view part, std::string_view name) const;  ///< throws as `reals`
-  /// Names of the numbers of a row, such as "x" and "y"; none for a single number. Throws SettingError for a column that
+  /// Names of the numbers of a row, such as "x" and "y"; none for a single number. Throws choice for a column that
   /// no frame has.
   std::vector<std::string> components(std::string_view part, std::string_view name) const;
   /// Unit of a column, such as "N/m"; empty for a plain number, and if the case does not declare the units. Throws
-  /// SettingError for one that no frame has.
+  /// choice for one that no frame has.
   std::string unit(std::string_view part, std::string_view name) const;
-  /// Throw SettingError for a column that is not there, or holds the other kind of numbers. A part without rows has
+  /// Throw choice for a column that is not there, or holds the other kind of numbers. A part without rows has
   /// empty columns of the same widths.
   Column<double> reals(std::string_view part, std::string_view name) const;
   Column<int> integers(std::string_view part, std::string_view name) const;

@@ -11,7 +11,7 @@
 //
 // Numbers of blocks, materials and cracks count from 1, as in case files and tables; rows of columns from 0. Quantities
 // have the units of the case (Case::units). Nothing prints, and nothing but Case::write touches a file that it was not
-// told to read. Every function may throw Error, or what it names, and std::bad_alloc.
+// told to read. Every function may throw Error and std::bad_alloc; "throws input" names a code of Error.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -45,29 +45,29 @@ struct Drawing {
 /// The content of case files. Copies share it; nothing changes it.
 class KEYBLOCK_API Case {
  public:
-  /// The files of a case in any order, a table of DXF layers among them, or its folder. Throws InputError, SettingError
+  /// The files of a case in any order, a table of DXF layers among them, or its folder. Throws input, choice
   /// for choices that no drawing has or without a drawing that they fit.
   static Case read(const std::vector<std::string>& paths, const Drawing& drawing = {});
   const std::vector<Warning>& warnings() const;
   /// Names of the units of length, mass and time; each empty where the case does not declare it.
   std::vector<std::string> units() const;
   /// The profile of a `Run` that requests none: that of the case file, `standard` for a case of Keyblock's own,
-  /// `legacy` for files of Shi's programs. Throws SettingError if `case.json` says that it is not run.
+  /// `legacy` for files of Shi's programs. Throws choice if `case.json` says that it is not run.
   std::string profile() const;
   /// The case as a case file of Keyblock (`keyblock formats --schema`).
   std::string json() const;
   /// A value of that file by its JSON pointer (RFC 6901), as JSON: "/analysis/joint_materials/0/friction_angle_deg".
   /// The name of a list item may replace its number; * stands for all items, whose values form a list. Throws
-  /// SettingError if the case has no such value.
+  /// choice if the case has no such value.
   std::string get(std::string_view pointer) const;
-  /// The JSON pointers that a pointer with names and * stands for. Throws SettingError if there are none.
+  /// The JSON pointers that a pointer with names and * stands for. Throws choice if there are none.
   std::vector<std::string> pointers(std::string_view pointer) const;
-  /// The same case with another value there, given as JSON; also a key that its object lacks. Throws SettingError for a
-  /// pointer to nothing, InputError for a key or a value that the file must not have.
+  /// The same case with another value there, given as JSON; also a key that its object lacks. Throws choice for a
+  /// pointer to nothing, input for a key or a value that the file must not have.
   Case with(std::string_view pointer, std::string_view value) const;
   Case with(std::string_view pointer, double value) const;
   /// Writes it in a format of `keyblock convert --to`. Gives in sentences what the format cannot hold, what is added,
-  /// and by which other rules a run of it goes. Throws SettingError for no format, Error where a file is there already.
+  /// and by which other rules a run of it goes. Throws choice for no format, and where a file is there already.
   std::vector<std::string> write(const std::string& path, std::string_view format = "keyblock-case") const;
 
   struct Data;
@@ -82,7 +82,7 @@ class KEYBLOCK_API Case {
 /// A case made ready for its first step. Many runs may share it.
 class KEYBLOCK_API Plan {
  public:
-  /// Throws InputError, SettingError.
+  /// Throws input, choice.
   explicit Plan(const Case& of, const Choices& choices = {}, const Context& context = Context());
   const std::string& profile() const;                                 ///< "standard", "legacy", "draft" or "reference"
   const std::string& why_profile() const;                             ///< in words: who chose it
@@ -138,7 +138,7 @@ struct Outcome {
 /// only be assigned to or destroyed.
 class KEYBLOCK_API Run {
  public:
-  /// Computes the initial state. Throws InputError, Stopped.
+  /// Computes the initial state. Throws input, stopped.
   explicit Run(const Plan& plan, const Context& context = Context());
   Run(Run&&) noexcept;
   Run& operator=(Run&&) noexcept;
@@ -158,10 +158,10 @@ class KEYBLOCK_API Run {
   /// Names of the histories so far: those of `Choices::histories` and of the case. The energy balance is "ledger", if the
   /// settings request it; it is not listed.
   std::vector<std::string> histories() const;
-  /// Quantities of a history, each with its unit (a letter if the case does not declare it). Throws SettingError.
+  /// Quantities of a history, each with its unit (a letter if the case does not declare it). Throws choice.
   std::vector<std::pair<std::string, std::string>> quantities(std::string_view history) const;
   /// Time and value of a quantity, at the start and after each step; long runs keep every n-th step and the last one, as
-  /// their tables do. Throws SettingError for a history or quantity that is not there.
+  /// their tables do. Throws choice for a history or quantity that is not there.
   Column<double> history(std::string_view history, std::string_view quantity) const;
 
   struct State;

@@ -24,18 +24,18 @@ struct Recording {
 };
 
 /// Runs the case to its end with results, tables, frames and pictures in `folder`: all that `keyblock run` leaves
-/// there. Throws InputError, SettingError (also for results that may not be overwritten), Error if a file cannot be
+/// there. Throws input, choice (also for results that may not be overwritten), output if a file cannot be
 /// written. A run that is stopped can be resumed.
 KEYBLOCK_API Outcome record(const Case& of, const std::string& folder, const Recording& how = {},
                             const Choices& choices = {}, const Context& context = Context());
-/// Continues the run that `record`, or `keyblock run`, of the same build began in `folder`. Throws InputError,
-/// SettingError if there is nothing to resume.
+/// Continues the run that `record`, or `keyblock run`, of the same build began in `folder`. Throws input,
+/// choice if there is nothing to resume.
 KEYBLOCK_API Outcome resume(const std::string& folder, const std::function<void(const Step&)>& on_step = {},
                             const Context& context = Context());
 
 /// Begins the same run, to be stepped by its caller. `Run::advance` writes all results before it returns false. Until
 /// then, and if the run is dropped, the folder is that of an interrupted run. `Run::end_early`, and `go_on` with a
-/// condition, end it sooner; they do not stop `context`. Throws Stopped too.
+/// condition, end it sooner; they do not stop `context`. Throws stopped too.
 KEYBLOCK_API Run recorded(const Case& of, const std::string& folder, const Recording& how = {},
                           const Choices& choices = {}, const Context& context = Context());
 /// Continues the run of `resume`, to be stepped by its caller.

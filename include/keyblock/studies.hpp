@@ -40,7 +40,7 @@ struct Strength {
 /// Divides the strength of "joints", "rock" or "both" until the case is no longer stable: the search of `keyblock fos`,
 /// without its second one on a coarser mesh. If `what` is empty or `within` 0, it is that of the `case.json` of a
 /// folder, else "joints" or 0.01. The range of the search and its exemptions are always those of `case.json`. Throws
-/// InputError; SettingError for another word, or a width below 0; Error if nothing fixes the blocks and gravity, or no
+/// input; choice for another word, or a width below 0; failed if nothing fixes the blocks and gravity, or no
 /// load at all, acts on them. A search that is stopped ends with "stopped".
 KEYBLOCK_API Strength factor_of_safety(const Case& of, std::string_view what = {}, double within = 0,
                                        const Choices& choices = {}, const Context& context = Context());
@@ -65,12 +65,12 @@ struct Intensity {
   std::vector<Warning> warnings;
 };
 
-/// Stress intensity factors of all tips, as `keyblock sif`. Throws InputError for a case without cracks, Stopped.
+/// Stress intensity factors of all tips, as `keyblock sif`. Throws input for a case without cracks, stopped.
 KEYBLOCK_API Intensity stress_intensity(const Case& of, const Choices& choices = {},
                                         const Context& context = Context());
 
 /// Rows of a Latin hypercube over "KEY=VALUES", as `keyblock sweep --over --random`: a JSON list of objects. The same
-/// seed gives the same rows. Throws SettingError.
+/// seed gives the same rows. Throws choice.
 KEYBLOCK_API std::string random_rows(const std::vector<std::string>& keys, std::size_t count, std::uint64_t seed = 1);
 
 }  // namespace v1

@@ -15,11 +15,12 @@
 namespace keyblock::api {
 inline namespace v1 {
 
-/// A place in a text file; line and column count from 1, 0: the file as a whole.
+/// A place in a text file; line and column count from 1, 0: the file as a whole. Or a choice of the caller; `file` is
+/// its text then.
 struct Place {
   std::string file;
   int line = 0, column = 0;
-  std::string choice = {};  ///< of the caller, such as "histories", with the text in `file`; empty for a file
+  std::string choice = {};  ///< of the caller, such as "histories"; empty for a file
 };
 
 /// Values behind a sentence: numbers by name, numbers of blocks or elements, points, and names by kind ("layer").
@@ -38,31 +39,30 @@ struct Warning {
   Facts facts = {};        ///< empty if the sentence has no values
 };
 
+/// Kinds of errors, each with the exit code of the program.
+enum class ErrorCode {
+  input,    ///< 3: a file, or a case, that cannot be used
+  choice,   ///< 2: an unknown setting, profile, pointer or column, or a choice that cannot be fulfilled
+  output,   ///< 4: results that cannot be written
+  stopped,  ///< 130: `Context::stop` ended a computation before it had a result
+  failed,   ///< 4: all else, such as a search without an answer
+};
+
+/// The only exception of the library, beside std::bad_alloc. `what()` is a sentence; for input
+/// "file:line:column: error: expected …, found …".
 struct KEYBLOCK_API Error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-/// Input that cannot be used: `what()` is "file:line:column: error: expected …, found …".
-struct KEYBLOCK_API InputError : Error {
-  InputError(const std::string& what, Place at) : Error(what), place(std::move(at)) {}
-  Place place;
-};
-/// An unknown setting, profile or pointer, or a choice that cannot be fulfilled.
-struct KEYBLOCK_API SettingError : Error {
-  explicit SettingError(const std::string& what, std::string of = {}, std::size_t at = 0)
-      : Error(what), choice(std::move(of)), choice_at(at) {}
-  std::string choice;         ///< that `what()` names, such as "histories"; empty without one
-  std::size_t choice_at = 0;  ///< where in `what()`
-};
-/// Thrown by what `Context::stop` ends before it has a result.
-struct KEYBLOCK_API Stopped : Error {
-  using Error::Error;
+  explicit Error(const std::string& what, ErrorCode of = ErrorCode::failed, Place at = {}, std::size_t choice_from = 0)
+      : std::runtime_error(what), code(of), place(std::move(at)), choice_at(choice_from) {}
+  ErrorCode code;
+  Place place;                ///< of the input or the choice; empty where there is none
+  std::size_t choice_at = 0;  ///< where `what()` names `place.choice`
 };
 
 /// Stops a computation and limits its threads. Copies share one state; any thread may use it.
 class KEYBLOCK_API Context {
  public:
   /// Threads of a step, at most 256; 0: as many as there are processors. Results do not depend on it, to the last bit.
-  /// Throws SettingError.
+  /// Throws choice.
   explicit Context(int threads = 0);
   /// Stops steps and searches, and is not taken back. May be called by a signal handler.
   void stop() const noexcept;

@@ -310,28 +310,36 @@ std::string argument_of(const std::string& choice) {
   return choice == "histories" ? "history" : choice == "Recording::overwrite" ? "force=True" : choice;
 }
 
-void raise_error(PyObject* type, const std::exception& error) {
-  PyErr_SetObject(type, text_of(error.what()).ptr());
+PyObject* type_of(kb::ErrorCode code) {
+  switch (code) {
+    case kb::ErrorCode::input:
+      return input_error_type;
+    case kb::ErrorCode::choice:
+      return setting_error_type;
+    case kb::ErrorCode::stopped:
+      return stopped_type;
+    default:
+      return error_type;
+  }
 }
 
-void raise_setting_error(const kb::SettingError& error) {
-  std::string message = error.what();
-  if (!error.choice.empty()) message.replace(error.choice_at, error.choice.size(), argument_of(error.choice));
-  PyErr_SetObject(setting_error_type, text_of(message).ptr());
-}
-
-void raise_input_error(const kb::InputError& error) {
-  const py::object type = py::reinterpret_borrow<py::object>(input_error_type);
+/// Raises the type of the code. Arguments of Python replace choices of the library.
+void raise(const kb::Error& error) {
+  const bool is_input = error.code == kb::ErrorCode::input;
   std::string message = error.what(), file = error.place.file;
   if (const std::string& choice = error.place.choice; !choice.empty()) {
-    message.replace(0, choice.size() + 1, argument_of(choice) + "=");
-    file = argument_of(choice) + "=" + file;
+    const std::string word = argument_of(choice) + (is_input ? "=" : "");
+    message.replace(error.choice_at, choice.size() + (is_input ? 1 : 0), word);
+    file = word + file;
   }
-  const py::object raised = type(text_of(message));
-  raised.attr("file") = text_of(file);
-  raised.attr("line") = error.place.line;
-  raised.attr("column") = error.place.column;
-  PyErr_SetObject(input_error_type, raised.ptr());
+  PyObject* const type = type_of(error.code);
+  const py::object raised = py::reinterpret_borrow<py::object>(type)(text_of(message));
+  if (is_input) {
+    raised.attr("file") = text_of(file);
+    raised.attr("line") = error.place.line;
+    raised.attr("column") = error.place.column;
+  }
+  PyErr_SetObject(type, raised.ptr());
 }
 
 void bind_errors(py::module_& m) {
@@ -346,14 +354,8 @@ void bind_errors(py::module_& m) {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
-    } catch (const kb::InputError& error) {
-      raise_input_error(error);
-    } catch (const kb::SettingError& error) {
-      raise_setting_error(error);
-    } catch (const kb::Stopped& error) {
-      raise_error(stopped_type, error);
     } catch (const kb::Error& error) {
-      raise_error(error_type, error);
+      raise(error);
     }
   });
 }

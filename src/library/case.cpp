@@ -25,7 +25,7 @@ void require_nothing_there(const std::filesystem::path& file) {
   try {
     require_free(file, Overwrite::no);
   } catch (const UsageError&) {
-    throw Error(file.string() + " exists; give another name");
+    throw Error(file.string() + " exists; give another name", ErrorCode::choice);
   }
 }
 
@@ -44,7 +44,7 @@ Case::Data::Data(OpenCase of) : open(std::move(of)), warnings(public_warnings(op
 
 Case Case::read(const std::vector<std::string>& paths, const Drawing& drawing) {
   return guarded([&] {
-    if (paths.empty()) throw SettingError("expected the files of a case, or its folder, found none");
+    if (paths.empty()) throw Error("expected the files of a case, or its folder, found none", ErrorCode::choice);
     return Data::case_of(opened(asked_case({paths, {}, {}, {}, {drawing.unit, drawing.join}})));
   });
 }
@@ -76,7 +76,8 @@ std::vector<std::string> Case::pointers(std::string_view pointer) const {
 
 Case Case::with(std::string_view pointer, std::string_view value) const {
   return guarded([&] {
-    if (!Json::accept(value)) throw SettingError(fmt::format("{}: expected a value as JSON, found {}", pointer, value));
+    if (!Json::accept(value))
+      throw Error(fmt::format("{}: expected a value as JSON, found {}", pointer, value), ErrorCode::choice);
     OpenCase open = data_->open;
     const ChangedValue changed{std::string(pointer), std::string(value)};
     change_values(open, {changed});

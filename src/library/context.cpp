@@ -18,22 +18,23 @@ std::string word_of_choice(const std::string& option) {
   return option;
 }
 
-InputError public_error(const keyblock::InputError& error) {
+Error public_error(const keyblock::InputError& error) {
   const Place place = place_of(error.place());
-  return InputError(
-      place.choice.empty() ? error.what() : place.choice + " " + place.file + ": error: " + error.sentence(), place);
+  return Error(place.choice.empty() ? error.what() : place.choice + " " + place.file + ": error: " + error.sentence(),
+               ErrorCode::input, place);
 }
 
-SettingError public_error(const ChoiceError& error) {
+Error public_error(const ChoiceError& error) {
   const std::string word = word_of_choice(error.choice());
-  return SettingError(error.before() + word + error.after(), word, error.before().size());
+  return Error(error.before() + word + error.after(), ErrorCode::choice, {{}, 0, 0, word}, error.before().size());
 }
 
 inline namespace v1 {
 
 Context::Context(int threads) : state_(std::make_shared<State>()) {
   constexpr int kMost = 256;  // as for --threads
-  if (threads < 0 || threads > kMost) throw SettingError("expected 0 to 256 threads, found " + std::to_string(threads));
+  if (threads < 0 || threads > kMost)
+    throw Error("expected 0 to 256 threads, found " + std::to_string(threads), ErrorCode::choice);
   state_->context.use_threads(threads);
 }
 

@@ -12,8 +12,9 @@ Column<T> column_of(const Frame::Data& frame, std::string_view part, std::string
   const formats::FrameColumn& column = frame.part(part).at(name);
   const auto* values = std::get_if<std::shared_ptr<const std::vector<T>>>(&column.numbers);
   if (!values)
-    throw SettingError("column " + std::string(name) + " of " + std::string(part) + " holds " +
-                       (std::is_same_v<T, int> ? "reals" : "integers"));
+    throw Error("column " + std::string(name) + " of " + std::string(part) + " holds " +
+                    (std::is_same_v<T, int> ? "reals" : "integers"),
+                ErrorCode::choice);
   return {*values, formats::width_of(column.shape)};
 }
 

@@ -88,8 +88,8 @@ inline Place place_of(const keyblock::Place& place) {
 }
 
 /// Returns the error with the words of the library.
-InputError public_error(const keyblock::InputError& error);
-SettingError public_error(const ChoiceError& error);
+Error public_error(const keyblock::InputError& error);
+Error public_error(const ChoiceError& error);
 
 inline Facts public_facts(const keyblock::Facts& facts) {
   return {facts.numbers, facts.elements, facts.points, facts.names};
@@ -140,11 +140,13 @@ auto guarded(const Work& work) {
   } catch (const ChoiceError& error) {
     throw public_error(error);
   } catch (const UsageError& error) {
-    throw SettingError(error.what());
+    throw Error(error.what(), ErrorCode::choice);
   } catch (const std::invalid_argument& error) {
-    throw SettingError(error.what());
+    throw Error(error.what(), ErrorCode::choice);
   } catch (const StopRequested& error) {
-    throw Stopped(error.what());
+    throw Error(error.what(), ErrorCode::stopped);
+  } catch (const OutputError& error) {
+    throw Error(error.what(), ErrorCode::output);
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -140,7 +140,8 @@ Column<double> balance_of(const Run::State& state, std::string_view quantity) {
   const std::vector<LedgerColumn> columns = balance_columns(state);
   const auto column = std::ranges::find_if(columns, [&](const LedgerColumn& c) { return c.name == quantity; });
   if (column == columns.end())
-    throw SettingError(fmt::format("expected a quantity of the history {}, found {}", kBalanceName, quantity));
+    throw Error(fmt::format("expected a quantity of the history {}, found {}", kBalanceName, quantity),
+                ErrorCode::choice);
   std::vector<double> values;
   for (const LedgerRow& row : state.account->record().ledger.rows()) {
     values.push_back(row.time);

@@ -50,7 +50,8 @@ Strength factor_of_safety(const Case& of, std::string_view what, double within, 
     const Under under(context.state().context);
     ReductionAsked given;
     if (!what.empty()) given.what = reduced_of(std::string(what));
-    if (!(within >= 0)) throw SettingError(fmt::format("within: expected a width above 0, or 0, found {}", within));
+    if (!(within >= 0))
+      throw Error(fmt::format("within: expected a width above 0, or 0, found {}", within), ErrorCode::choice);
     if (within > 0) given.within = within;
     const formats::Case& input = of.data().open.input;
     const study::StrengthPlan plan = study::strength_plan(asked_under(of, choices), input, given);

@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <keyblock/keyblock.hpp>
+#include <optional>
 #include <string>
 
 namespace keyblock::api_test {
@@ -13,6 +14,17 @@ namespace keyblock::api_test {
 namespace kb = keyblock::api;
 
 inline const std::string kCases = std::string(KEYBLOCK_SOURCE_DIR) + "/legacy_cases/";
+
+/// Returns the code of the error that `work` throws; nothing if it throws none.
+template <class Work>
+std::optional<kb::ErrorCode> code_of(const Work& work) {
+  try {
+    work();
+  } catch (const kb::Error& error) {
+    return error.code;
+  }
+  return std::nullopt;
+}
 
 /// A block on a plane of 30 degrees with a friction of 20 degrees.
 inline kb::Case slide() {

@@ -62,12 +62,12 @@ TEST(Frames, every_column_that_a_frame_names_is_there_with_its_rows) {
   EXPECT_GT(columns, 25U);
   EXPECT_EQ(end.reals("cracks", "ends").rows(), 0U) << "a part without rows";
   EXPECT_EQ(end.reals("cracks", "ends").width(), 4U) << "it has its columns";
-  EXPECT_THROW(end.reals("cracks", "colour"), kb::SettingError);
-  EXPECT_THROW(end.reals("cracks", "side"), kb::SettingError) << "it holds integers";
-  EXPECT_THROW(end.reals("blocks", "colour"), kb::SettingError);
-  EXPECT_THROW(end.reals("blocks", "material"), kb::SettingError) << "it holds integers";
-  EXPECT_THROW(end.names("clouds"), kb::SettingError);
-  EXPECT_THROW(end.unit("blocks", "colour"), kb::SettingError);
+  EXPECT_EQ(code_of([&] { end.reals("cracks", "colour"); }), kb::ErrorCode::choice);
+  EXPECT_EQ(code_of([&] { end.reals("cracks", "side"); }), kb::ErrorCode::choice) << "it holds integers";
+  EXPECT_EQ(code_of([&] { end.reals("blocks", "colour"); }), kb::ErrorCode::choice);
+  EXPECT_EQ(code_of([&] { end.reals("blocks", "material"); }), kb::ErrorCode::choice) << "it holds integers";
+  EXPECT_EQ(code_of([&] { end.names("clouds"); }), kb::ErrorCode::choice);
+  EXPECT_EQ(code_of([&] { end.unit("blocks", "colour"); }), kb::ErrorCode::choice);
   EXPECT_EQ(end.stress().values().data(), end.reals("blocks", "stress").values().data()) << "one copy for all";
 }
 
@@ -109,9 +109,9 @@ TEST(Frames, components_and_units_are_those_of_the_case) {
   EXPECT_EQ(start.unit("blocks", "stress"), "Pa");
   EXPECT_EQ(start.unit("contacts", "normal_force"), "N/m");
   EXPECT_EQ(start.unit("blocks", "material"), "");
-  EXPECT_THROW(start.components("blocks", "nonsense"), kb::SettingError);
-  EXPECT_THROW(start.unit("blocks", "nonsense"), kb::SettingError);
-  EXPECT_THROW(start.unit("clouds", "x"), kb::SettingError);
+  EXPECT_EQ(code_of([&] { start.components("blocks", "nonsense"); }), kb::ErrorCode::choice);
+  EXPECT_EQ(code_of([&] { start.unit("blocks", "nonsense"); }), kb::ErrorCode::choice);
+  EXPECT_EQ(code_of([&] { start.unit("clouds", "x"); }), kb::ErrorCode::choice);
 }
 
 TEST(Frames, an_epoch_begins_where_a_stage_excavates) {

@@ -72,15 +72,15 @@ TEST(Api, a_value_of_a_case_is_read_and_changed_and_the_case_stays) {
   EXPECT_EQ(other.get(kFriction), "12.5");
   EXPECT_EQ(base.get(kFriction), "20");
   EXPECT_EQ(kb::Plan(other).profile(), kb::Plan(base).profile()) << "the rules of an old file stay";
-  EXPECT_THROW(base.get("/analysis/no_such_thing"), kb::SettingError);
-  EXPECT_THROW(base.with("no pointer", 1), kb::SettingError);
+  EXPECT_EQ(code_of([&] { base.get("/analysis/no_such_thing"); }), kb::ErrorCode::choice);
+  EXPECT_EQ(code_of([&] { base.with("no pointer", 1); }), kb::ErrorCode::choice);
   try {
     base.with(kFriction, "NaN");
     FAIL() << "NaN is no JSON";
-  } catch (const kb::SettingError& error) {
+  } catch (const kb::Error& error) {
     EXPECT_EQ(error.what(), std::string(kFriction) + ": expected a value as JSON, found NaN");
   }
-  EXPECT_THROW(base.with(kFriction, "\"steep\""), kb::InputError);
+  EXPECT_EQ(code_of([&] { base.with(kFriction, "\"steep\""); }), kb::ErrorCode::input);
 }
 
 TEST(Api, units_and_pointers_of_a_case_are_listed) {
@@ -91,7 +91,7 @@ TEST(Api, units_and_pointers_of_a_case_are_listed) {
   const std::vector<std::string> expected{"/blocks/blocks/0/material", "/blocks/blocks/1/material",
                                           "/blocks/blocks/2/material"};
   EXPECT_EQ(bricks.pointers("/blocks/blocks/*/material"), expected);
-  EXPECT_THROW(bricks.pointers("/blocks/rocks/*"), kb::SettingError);
+  EXPECT_EQ(code_of([&] { bricks.pointers("/blocks/rocks/*"); }), kb::ErrorCode::choice);
 }
 
 // A Latin hypercube uses each of four equal parts of the range once.
@@ -105,7 +105,7 @@ TEST(Api, random_rows_are_stratified_and_repeatable) {
     parts.push_back(static_cast<int>((row.at(kFriction).get<double>() - 10) / 5));
   std::ranges::sort(parts);
   EXPECT_EQ(parts, (std::vector<int>{0, 1, 2, 3}));
-  EXPECT_THROW(kb::random_rows({"no values"}, 4), kb::SettingError);
+  EXPECT_EQ(code_of([&] { kb::random_rows({"no values"}, 4); }), kb::ErrorCode::choice);
 }
 
 TEST(Api, headway_has_no_name_between_searches) {
@@ -122,14 +122,15 @@ TEST(Api, errors_name_their_place) {
   try {
     kb::Case::read({path});
     FAIL() << "it was read";
-  } catch (const kb::InputError& error) {
+  } catch (const kb::Error& error) {
+    EXPECT_EQ(error.code, kb::ErrorCode::input);
     EXPECT_EQ(error.place.line, 2);
     EXPECT_NE(error.place.file.find("api_bad_case.json"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("expected"), std::string::npos);
   }
-  EXPECT_THROW(kb::Plan(slide(), {"no_profile", {}}), kb::SettingError);
-  EXPECT_THROW(kb::Plan(slide(), {"", {{"no_setting", "1"}}}), kb::SettingError);
-  EXPECT_THROW(kb::Case::read({}), kb::SettingError);
+  EXPECT_EQ(code_of([&] { kb::Plan(slide(), {"no_profile", {}}); }), kb::ErrorCode::choice);
+  EXPECT_EQ(code_of([&] { kb::Plan(slide(), {"", {{"no_setting", "1"}}}); }), kb::ErrorCode::choice);
+  EXPECT_EQ(code_of([&] { kb::Case::read({}); }), kb::ErrorCode::choice);
 }
 
 TEST(Api, units_and_distances_that_no_drawing_has_are_refused) {
@@ -137,8 +138,10 @@ TEST(Api, units_and_distances_that_no_drawing_has_are_refused) {
   const auto refusal = [&](const kb::Drawing& drawing) {
     try {
       kb::Case::read({docs + "quarry.dxf", docs + "bench.json", docs + "quarry_layers.csv"}, drawing);
-    } catch (const kb::SettingError& error) {
-      EXPECT_EQ(std::string(error.what()).substr(error.choice_at, error.choice.size()), error.choice);
+    } catch (const kb::Error& error) {
+      const std::string& choice = error.place.choice;
+      EXPECT_EQ(error.code, kb::ErrorCode::choice);
+      EXPECT_EQ(std::string(error.what()).substr(error.choice_at, choice.size()), choice);
       return std::string(error.what());
     }
     return std::string();
@@ -156,9 +159,7 @@ TEST(Api, an_error_names_the_choice_of_its_caller) {
   const auto refusal = [](const std::function<void()>& work) {
     try {
       work();
-    } catch (const kb::SettingError& error) {
-      return std::pair(error.choice, std::string(error.what()));
-    } catch (const kb::InputError& error) {
+    } catch (const kb::Error& error) {
       return std::pair(error.place.choice, std::string(error.what()));
     }
     return std::pair<std::string, std::string>();
@@ -317,7 +318,7 @@ TEST(Api, stress_intensity_is_that_of_the_command) {
     EXPECT_DOUBLE_EQ(printed[0].at(key).get<double>(), value) << key;
   EXPECT_EQ(printed[0].at("doubt"), tip.doubt);
   EXPECT_GT(tip.k1, 0);
-  EXPECT_THROW(kb::stress_intensity(slide()), kb::InputError);
+  EXPECT_EQ(code_of([&] { kb::stress_intensity(slide()); }), kb::ErrorCode::input);
 }
 
 }  // namespace keyblock::api_test

@@ -112,6 +112,20 @@ void expect_plan_of_study(const std::string& folder, const ProgramRun& run) {
   expect_that_of(asked, said);
 }
 
+/// Returns the exit code that the header promises; nothing for a stop.
+std::optional<int> exit_code_of(kb::ErrorCode code) {
+  switch (code) {
+    case kb::ErrorCode::input:
+      return 3;
+    case kb::ErrorCode::choice:
+      return 2;
+    case kb::ErrorCode::stopped:
+      return std::nullopt;
+    default:
+      return 4;
+  }
+}
+
 /// Returns the exit code of the command that ends as `work` does; nothing if that takes longer than a second.
 std::optional<int> code_within_a_second(const std::function<std::optional<int>(const kb::Context&)>& work) {
   const kb::Context context;
@@ -122,14 +136,8 @@ std::optional<int> code_within_a_second(const std::function<std::optional<int>(c
   std::optional<int> code;
   try {
     code = work(context);
-  } catch (const kb::Stopped&) {
-    code = std::nullopt;
-  } catch (const kb::InputError&) {
-    code = 3;
-  } catch (const kb::SettingError&) {
-    code = 2;
-  } catch (const kb::Error&) {
-    code = 4;
+  } catch (const kb::Error& error) {
+    code = exit_code_of(error.code);
   }
   ended.set_value();
   return code;

@@ -10,6 +10,8 @@
 #include <set>
 #include <string>
 
+#include "tests/library/example_cases.hpp"
+
 namespace kb = keyblock::api;
 namespace fs = std::filesystem;
 
@@ -50,8 +52,10 @@ void expect_same_results(const fs::path& a, const fs::path& b) {
 
 TEST(Record, intervals_below_zero_are_refused_before_anything_is_written) {
   const fs::path folder = empty_folder("intervals");
-  EXPECT_THROW(kb::record(slide(), folder.string(), {.every = -7}), kb::SettingError);
-  EXPECT_THROW(kb::record(slide(), folder.string(), {.checkpoint_every = -5}), kb::SettingError);
+  EXPECT_EQ(keyblock::api_test::code_of([&] { kb::record(slide(), folder.string(), {.every = -7}); }),
+            kb::ErrorCode::choice);
+  EXPECT_EQ(keyblock::api_test::code_of([&] { kb::record(slide(), folder.string(), {.checkpoint_every = -5}); }),
+            kb::ErrorCode::choice);
   EXPECT_TRUE(!fs::exists(folder) || fs::is_empty(folder));
 }
 
@@ -66,8 +70,9 @@ TEST(Record, a_recorded_run_leaves_what_the_program_leaves) {
                               program.string();
   ASSERT_EQ(std::system(command.c_str()), 0);
   expect_same_results(own, program);
-  EXPECT_THROW(kb::record(slide(), own.string()), kb::SettingError) << "results are there";
-  EXPECT_THROW(kb::resume(own.string()), kb::SettingError) << "the run is over";
+  EXPECT_EQ(keyblock::api_test::code_of([&] { kb::record(slide(), own.string()); }), kb::ErrorCode::choice)
+      << "results are there";
+  EXPECT_EQ(keyblock::api_test::code_of([&] { kb::resume(own.string()); }), kb::ErrorCode::choice) << "the run is over";
   fs::remove_all(own);
   fs::remove_all(program);
 }
