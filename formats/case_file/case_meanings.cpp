@@ -1,10 +1,8 @@
-// Declares the table of meanings and quantities, in the order of case_fields.hpp.
+// Declares the table of meanings and quantities, in the order of case_fields.hpp and of fields.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/case_meanings.hpp"
 
-#include <algorithm>
 #include <array>
-#include <string>
 
 namespace keyblock::formats {
 namespace {
@@ -94,8 +92,7 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
      "static solve, in which they pass through each other"},
     {"mesh", "mathematical mesh; give half_rows or side"},
     {"mesh.materials", "numbers of the block materials whose blocks get covers, as rows [n]; if empty, all blocks"},
-    {"kind",
-     "regular: rows of equal triangles. unstructured: Delaunay triangles, smaller at points that refined names"},
+    {"kind", "regular: rows of equal triangles. unstructured: Delaunay triangles, smaller at points of `refined`"},
     {"half_rows",
      "rows of triangles above and below the middle. Their height is 1.1 w/half_rows, w the larger of height/2 and "
      "width/2.6 of the bodies. 0: not given"},
@@ -299,8 +296,7 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"step", "number of the step"},
     {"frames.time", "time since the start, T; 0 in all frames if their file has no times"},
     {"frames.elements", "blocks or elements"},
-    {"elements.loops",
-     "corners of the outer loop, counter-clockwise, then of each hole, clockwise; at least three each"},
+    {"elements.loops", "corners of the outer loop, counter-clockwise, then of each hole, clockwise; three or more"},
     {"elements.x", "x of the centroid, L"},
     {"elements.y", "y of the centroid, L"},
     {"displacement_x", "x displacement since the start, L", m::kLength},
@@ -399,15 +395,6 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
 
 std::span<const CaseMeaning> case_meanings() {
   return kMeanings;
-}
-
-std::string_view meaning_of(std::string_view parent, std::string_view key) {
-  const std::string full = std::string(parent) + '.' + std::string(key);
-  for (const std::string_view wanted : {std::string_view(full), key}) {
-    const auto found = std::ranges::find(kMeanings, wanted, &CaseMeaning::key);
-    if (found != kMeanings.end()) return found->meaning;
-  }
-  return {};
 }
 
 }  // namespace keyblock::formats

@@ -20,7 +20,4 @@ struct CaseMeaning {
 
 std::span<const CaseMeaning> case_meanings();
 
-/// Returns the meaning of `key` under `parent`; empty if the table has none.
-std::string_view meaning_of(std::string_view parent, std::string_view key);
-
 }  // namespace keyblock::formats

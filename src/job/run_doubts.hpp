@@ -5,17 +5,13 @@
 #include "base/error.hpp"
 #include "job/run_report.hpp"
 #include "job/run_warnings.hpp"
+#include "job/verdict/judgement.hpp"
 #include "run/prepare.hpp"
 
 namespace keyblock {
 
 /// Returns true if the energy balance of a dynamic run includes the work of all loads.
 bool keeps_energy(const RunRecord& record);
-
-struct Judgement {
-  Warnings doubts;   ///< why the results are not to be trusted
-  Warnings remarks;  ///< checks that could not be made
-};
 
 /// Returns one doubt, at `place`, per limit of `TrustLimits` that the run exceeded; empty if it can be trusted. Depths
 /// and crushing are those of all steps, overlap areas those of the frame `last`. Areas are compared with the unloaded

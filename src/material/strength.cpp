@@ -9,7 +9,7 @@
 #include <numbers>
 #include <utility>
 
-#include "material/principal_return.hpp"
+#include "material/principal/principal_return.hpp"
 
 namespace keyblock {
 namespace {

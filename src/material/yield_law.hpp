@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "material/crack_closure.hpp"
-#include "material/principal_return.hpp"
+#include "material/principal/principal_return.hpp"
 #include "problem/analysis.hpp"
 #include "problem/yield.hpp"
 

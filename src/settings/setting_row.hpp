@@ -112,4 +112,7 @@ SettingRow row(Materials materials, const std::string& name, const std::string& 
   return common;
 }
 
+/// Returns the rows of all settings, in the order in which users see them.
+std::vector<SettingRow> setting_rows();
+
 }  // namespace keyblock

@@ -1,9 +1,11 @@
-// Declares the tables of titles, groups and words, in the order of case_fields.hpp.
+// Declares the tables of titles, groups and words, in the order of case_fields.hpp and of fields.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/schema/case_titles.hpp"
 
 #include <algorithm>
 #include <array>
+
+#include "formats/case_file/case_meanings.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -253,6 +255,15 @@ std::string_view group_of(std::string_view parent, std::string_view key) {
   const auto found =
       std::ranges::find_if(kGroups, [&](const KeyGroup& row) { return row.parent == parent && row.key == key; });
   return found == kGroups.end() ? std::string_view("General") : found->group;
+}
+
+std::string_view meaning_of(std::string_view parent, std::string_view key) {
+  const std::string full = std::string(parent) + '.' + std::string(key);
+  for (const std::string_view wanted : {std::string_view(full), key}) {
+    const auto found = std::ranges::find(case_meanings(), wanted, &CaseMeaning::key);
+    if (found != case_meanings().end()) return found->meaning;
+  }
+  return {};
 }
 
 std::string_view meaning_of_word(std::string_view key, std::string_view word) {

@@ -8,6 +8,9 @@
 
 namespace keyblock::formats {
 
+/// Returns the meaning of `key` under `parent`; empty if the table has none.
+std::string_view meaning_of(std::string_view parent, std::string_view key);
+
 /// Returns a title of `key` under `parent` for people: "Young's modulus". Keys without a row in the table are spelt
 /// out.
 std::string title_of(std::string_view parent, std::string_view key);

@@ -16,6 +16,7 @@
 #include "base/printable.hpp"
 #include "formats/case_file/case_meanings.hpp"
 #include "formats/case_file/case_measures.hpp"
+#include "formats/case_file/schema/case_titles.hpp"
 #include "problem/units/measure.hpp"
 #include "run/cover_settings.hpp"
 #include "settings/settings_table.hpp"

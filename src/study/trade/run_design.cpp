@@ -8,76 +8,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <ranges>
 #include <stdexcept>
 #include <string_view>
 
 #include "model/cover_basis.hpp"
 #include "settings/profile.hpp"
-#include "study/cases/compared_values.hpp"
+#include "study/trade/design_base.hpp"
 
 namespace keyblock::study {
 namespace {
-
-/// Data from which the levels are made.
-struct Base {
-  bool is_untouched = false;    ///< as in Scene
-  bool has_plan = false;        ///< NMM bodies, by a case file
-  bool has_cover_file = false;  ///< or by a cover file
-  bool has_blocks = true;
-  Settings settings;
-  CoverPlan plan;
-  std::size_t blocks = 0;
-  std::vector<double> times;  ///< of expected values
-  double step_factor = 1;     ///< by which the profile lengthens the given step
-
-  bool is_standard() const { return settings.dynamics == Dynamics::standard; }
-};
-
-Base base_of(const StudyCase& chosen, const std::string& profile, const std::vector<Override>& more = {}) {
-  Base base;
-  ConfiguredCase made = configured_under(profile, chosen, chosen.input.problem, more);
-  Problem& problem = made.problem;
-  base.has_plan = problem.covers.has_value();
-  base.has_cover_file = std::holds_alternative<Cover>(problem.geometry);
-  base.has_blocks = !base.has_cover_file && !(base.has_plan && problem.covers->mesh.materials.empty());
-  if (base.has_plan) {
-    base.plan = *problem.covers;
-    base.plan.functions = functions_of(*problem.covers, problem.analysis->block_materials);
-  }
-  if (base.has_plan) problem.covers->mesh.error = 0;  // irrelevant here
-  const Scene scene = prepared_case(made).scene;
-  base.is_untouched = scene.is_untouched;
-  base.settings = scene.settings;
-  if (base.settings.standard.motion == MotionRule::dynamic) base.step_factor = step_factor(profile);
-  base.blocks = scene.model.elements.size();
-  for (const ExpectedValue& e : chosen.expected) base.times.push_back(e.time);
-  return base;
-}
-
-// Rounds the number of steps so that the run ends at the same time and expected times stay ends of steps. Empty if that
-// leaves the case's own step.
-std::vector<Override> step_overrides(const Base& base, double factor) {
-  const Settings& own = base.settings;
-  int whole = own.step_count;
-  for (const double time : base.times) {
-    const double steps = time / own.time_step;
-    if (steps >= 1 && steps <= own.step_count && std::abs(steps - std::round(steps)) <= kSameInstant)
-      whole = std::gcd(whole, static_cast<int>(std::round(steps)));
-  }
-  const int parts = own.step_count / whole;
-  const int steps = parts * std::max(1, static_cast<int>(std::lround(whole / factor)));
-  if (steps == own.step_count) return {};
-  const int set =
-      std::max(1, static_cast<int>(std::lround(steps * base.step_factor)));  // the profile makes `steps` of it
-  return {{"time_step", fmt::format("{:.15g}", own.time_step * own.step_count / set)},
-          {"steps", fmt::format("{}", set)}};
-}
-
-std::string factor_name(const char* of, double factor) {
-  return factor >= 1 ? fmt::format("{} x{:g}", of, factor) : fmt::format("{} /{:g}", of, 1 / factor);
-}
 
 constexpr std::array<double, 3> kCoarser{8, 4, 2};
 // Number of blocks above which contacts form assemblies, whose forces are solved to a tolerance.
@@ -96,7 +36,7 @@ void add_refinement(Axis& axis, const char* of, double factor, std::vector<Overr
   axis.levels.push_back(std::move(level));
 }
 
-Axis step_axis(const Base& base, int finest) {
+Axis step_axis(const DesignBase& base, int finest) {
   Axis axis{"step", {}};
   const auto add = [&](double factor) { add_refinement(axis, "step", factor, step_overrides(base, factor)); };
   std::ranges::for_each(kCoarser, add);
@@ -104,22 +44,7 @@ Axis step_axis(const Base& base, int finest) {
   return axis;
 }
 
-std::vector<Override> mesh_overrides(const MeshPlan& mesh, double factor) {
-  if (mesh.error > 0) {
-    if (!kMeshErrorRange.has(mesh.error * factor)) return {};
-    return {{"mesh.error", fmt::format("{:.12g}", mesh.error * factor)}};
-  }
-  if (mesh.side > 0) return {{"mesh.side", fmt::format("{:.12g}", mesh.side * factor)}};
-  const int rows = std::max(1, static_cast<int>(std::lround(mesh.half_rows / factor)));
-  if (rows == mesh.half_rows) return {};
-  return {{"mesh.half_rows", fmt::format("{}", rows)}};
-}
-
-const char* word_of(const MeshPlan& mesh) {
-  return mesh.error > 0 ? "mesh error" : "side";
-}
-
-Axis mesh_axis(const Base& base, int finest) {
+Axis mesh_axis(const DesignBase& base, int finest) {
   Axis axis{"mesh", {}};
   const auto add = [&](double factor) {
     add_refinement(axis, word_of(base.plan.mesh), factor, mesh_overrides(base.plan.mesh, factor));
@@ -137,13 +62,13 @@ Axis functions_axis(const char* setting, CoverFunctions own) {
   return axis;
 }
 
-Axis basis_axis(const Base& base) {
+Axis basis_axis(const DesignBase& base) {
   const bool is_rigid = base.settings.basis.common == BlockBasis::rigid;
   const char* other = is_rigid ? "affine" : "rigid";
   return {"basis", {{other, {{"basis", other}}}}};
 }
 
-Axis enforcement_axis(const Base& base) {
+Axis enforcement_axis(const DesignBase& base) {
   Axis axis{"enforcement", {}};
   const Enforcement own = base.settings.standard.enforcement.common;
   if (own != Enforcement::lagrange) axis.levels.push_back({"multipliers", {{"enforcement", "lagrange"}}});
@@ -152,14 +77,7 @@ Axis enforcement_axis(const Base& base) {
   return axis;
 }
 
-std::vector<Override> penalty_overrides(const Base& base, double factor) {
-  const std::pair<std::string, std::string> penalty{"contact_penalty",
-                                                    fmt::format("{:.12g}", base.settings.contact_penalty * factor)};
-  if (base.is_standard()) return {{"enforcement", "penalty"}, penalty};
-  return {{"penalty_control", "constant"}, penalty};
-}
-
-Axis penalty_axis(const Base& base) {
+Axis penalty_axis(const DesignBase& base) {
   Axis axis{"penalty", {}};
   for (const double factor : {10.0, 0.1})
     axis.levels.push_back({factor_name("penalty", factor), penalty_overrides(base, factor)});
@@ -167,7 +85,7 @@ Axis penalty_axis(const Base& base) {
 }
 
 // Steps are as long as their error allows, up to eight times the case's.
-Axis tolerance_axis(const Base& base) {
+Axis tolerance_axis(const DesignBase& base) {
   Axis axis{"tolerance", {}};
   std::vector<Override> coarse = step_overrides(base, kCoarser.front());
   for (const char* tolerance : {"1e-2", "1e-3", "1e-4", "1e-5"}) {
@@ -178,7 +96,7 @@ Axis tolerance_axis(const Base& base) {
   return axis;
 }
 
-Axis integrator_axis(const Base& base) {
+Axis integrator_axis(const DesignBase& base) {
   Axis axis{"integrator", {}};
   const Integrator own = base.settings.standard.integrator;
   if (own != Integrator::weighted) axis.levels.push_back({"weighted", {{"integrator", "weighted"}}});
@@ -188,7 +106,7 @@ Axis integrator_axis(const Base& base) {
   return axis;
 }
 
-Axis impact_axis(const Base& base) {
+Axis impact_axis(const DesignBase& base) {
   const bool is_jump = base.settings.standard.impact == ImpactLaw::jump;
   if (is_jump) return {"impact", {{"impact on springs", {{"impact", "springs"}, {"enforcement", "penalty"}}}}};
   return {"impact", {{"impact as a jump", {{"impact", "jump"}}}}};
@@ -202,7 +120,7 @@ Axis forces_axis() {
   return axis;
 }
 
-std::vector<Axis> axes_of(const Base& base, int finest) {
+std::vector<Axis> axes_of(const DesignBase& base, int finest) {
   std::vector<Axis> axes;
   if (base.has_plan) axes.push_back(functions_axis("functions", *base.plan.functions));
   if (base.has_plan && base.plan.mesh.refined.empty()) axes.push_back(mesh_axis(base, finest));
@@ -241,7 +159,7 @@ RunPlan plan_of(const std::string& profile, const std::vector<std::pair<const Ax
   return plan;
 }
 
-std::vector<RunPlan> with_profiles(const Base& base, const std::string& profile) {
+std::vector<RunPlan> with_profiles(const DesignBase& base, const std::string& profile) {
   std::vector<RunPlan> plans{{profile, "profile", profile, {}, {}, 1}};
   for (const std::string& other : profile_names())
     if (other != profile && !(base.is_untouched && rules_of(other) != rules_of(profile)))
@@ -282,7 +200,7 @@ std::vector<Axis> axes_of(const StudyCase& chosen, const std::string& profile) {
 
 std::vector<RunPlan> usual_design(const StudyCase& chosen, const std::string& profile,
                                   const std::vector<std::string>& vary) {
-  const Base base = base_of(chosen, profile);
+  const DesignBase base = base_of(chosen, profile);
   const std::vector<Axis> axes = only(axes_of(base, kFinest), vary);
   std::vector<RunPlan> plans = with_profiles(base, profile);
   for (const Axis& axis : axes)
@@ -299,7 +217,7 @@ std::vector<RunPlan> usual_design(const StudyCase& chosen, const std::string& pr
 
 std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& profile, std::size_t most,
                                  const std::vector<std::string>& vary) {
-  const Base base = base_of(chosen, profile);
+  const DesignBase base = base_of(chosen, profile);
   const std::vector<Axis> axes = only(axes_of(base, kFinest), vary);
   std::vector<RunPlan> plans = with_profiles(base, profile);
   std::vector<std::vector<std::pair<const Axis*, const Level*>>> made{{}};
@@ -323,7 +241,7 @@ std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& pro
 }
 
 std::vector<RunPlan> refinements(const StudyCase& chosen, const std::string& profile, int finest) {
-  const Base base = base_of(chosen, profile);
+  const DesignBase base = base_of(chosen, profile);
   const Axis axis = base.is_untouched ? mesh_axis(base, finest) : step_axis(base, finest);
   std::vector<RunPlan> plans{{profile, "profile", profile, {}, {}, 1}};
   for (const Level& level : axis.levels)
@@ -348,7 +266,7 @@ std::string refinement_name(const char* of, double factor) {
   return std::abs(factor - 1) <= kSameFactor ? "" : factor_name(of, factor);
 }
 
-Refinement refinement_of(const Base& own, const Base& now, int parts) {
+Refinement refinement_of(const DesignBase& own, const DesignBase& now, int parts) {
   if (now.is_untouched) {
     const std::vector<Override> set = mesh_overrides(now.plan.mesh, 1.0 / parts);
     const MeshPlan& was = own.plan.mesh;
@@ -379,7 +297,7 @@ std::vector<std::string> other_levels(const std::string& name, const std::string
 }  // namespace
 
 std::optional<RunPlan> refined(const StudyCase& chosen, const std::string& profile, const RunPlan& plan, int parts) {
-  const Base now = base_of(chosen, plan.profile, plan.set);
+  const DesignBase now = base_of(chosen, plan.profile, plan.set);
   const Refinement finer = refinement_of(base_of(chosen, plan.profile), now, parts);
   if (finer.set.empty()) return std::nullopt;
   RunPlan made = plan;
@@ -398,7 +316,7 @@ std::optional<RunPlan> refined(const StudyCase& chosen, const std::string& profi
 
 std::vector<RunPlan> penalty_step_map(const StudyCase& chosen, const std::string& profile,
                                       const std::vector<double>& penalties, const std::vector<double>& steps) {
-  const Base base = base_of(chosen, profile);
+  const DesignBase base = base_of(chosen, profile);
   if (base.is_untouched)
     throw std::invalid_argument("a linear static case of NMM bodies has neither contact stiffness nor steps");
   std::vector<RunPlan> plans;

@@ -1,6 +1,6 @@
 // Lists each feature that a scene may lack, one per row, with the settings that only it reads.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/unread_settings.hpp"
+#include "run/ahead/unread_settings.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Rejects strengths and cracks that would be ignored, and elements too large for softening.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/strengths.hpp"
+#include "run/ahead/strengths.hpp"
 
 #include <fmt/format.h>
 

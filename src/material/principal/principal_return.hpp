@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "material/principal/surface_of_kappa.hpp"
 #include "problem/yield.hpp"
 
 namespace keyblock {
@@ -22,12 +23,6 @@ struct Cone {
 /// slope 2 sin φ / (√3 (3 - sin φ)) and strength 6 c cos φ / (√3 (3 - sin φ)); extension has + for -. Plane strain has
 /// tan φ / √(9 + 12 tan² φ) and 3 c over the same root, which is the inscribed cone too (ibid.).
 Cone cone_of(ConeMatching matching, double cohesion, double friction_deg);
-
-/// Strength that changes linearly in κ from 0 to `strain`.
-struct SurfaceOfKappa {
-  const Strength& strength;
-  double strain;  ///< at the end of the change; infinity: no change
-};
 
 /// Stress in principal axes, greatest first, with its derivatives by the trial stress and κ.
 struct PrincipalReturn {
